@@ -1,0 +1,72 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <brouwer/store/record.hpp>
+
+namespace brouwer {
+
+struct Interval {
+  double low = 0, high = 0;
+};
+
+/// How sure: levels of the tests and of the intervals, stated beside every result.
+struct Levels {
+  double confidence = 0.95;  ///< of intervals
+  double test = 0.001;       ///< two-sided level at which a drift, or persistence, is called seen
+  double power = 0.9;        ///< chance with which the "smallest visible drift" is seen at that level
+};
+
+/// β, the drift shared by the ensemble, per unit of time (per step for our own runs).
+struct Drift {
+  double per_step = 0;
+  Interval interval;
+  double t = 0, p = 1;
+  double share = 0;  ///< effect size: |β| t_J / RMS at the end, 0 … 1: how much of the final error it explains
+};
+
+/// τ, the standard deviation of the members' own persistent drifts; F(M−1, M(J−1)).
+struct Persistence {
+  double per_step = 0;  ///< √max(0, var(sᵢ) − σ̂²/t_J)
+  double F = 1;
+  double p = 1;      ///< P(F' ≥ F): small when slopes persist
+  double p_low = 1;  ///< P(F' ≤ F): small when the error is bounded rather than diffusing
+};
+
+/// σ, the standard deviation of the random walk, per √(unit of time).
+struct Diffusion {
+  double per_sqrt_step = 0;
+  Interval interval;
+};
+
+/// q in RMS ∝ t^q: least-squares slope of log RMS against log t; interval by bootstrap over members.
+struct Growth {
+  double exponent = 0;
+  Interval interval;
+};
+
+enum class Verdict { exact, random_walk, persistent_slopes, drift, bounded, faster_than_drift, not_resolved };
+
+/// "random walk", "persistent slopes", "drift", "bounded", "superlinear", "exact", "not resolved"
+std::string to_string(Verdict verdict);
+
+/// Everything that the inference says of one quantity of one cell.
+struct Estimates {
+  CellLabels cell;
+  std::string quantity, family, unit;
+  std::int64_t members = 0, failed = 0, samples = 0;
+  std::vector<double> times, rms;               ///< RMS over members at the sample times
+  std::vector<double> mean, mean_error;         ///< mean over members, and its standard error
+  double rms_final = 0;
+  Drift drift;
+  Persistence persistence;
+  Diffusion diffusion;
+  Growth growth;
+  double smallest_visible_drift = 0;  ///< per step, at levels.test with chance levels.power
+  Levels levels;
+  Verdict verdict = Verdict::not_resolved;
+  std::string sentence;  ///< the verdict in words, with the numbers that carry it
+};
+
+}  // namespace brouwer

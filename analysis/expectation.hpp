@@ -1,0 +1,44 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/estimates.hpp"
+
+namespace brouwer {
+
+/// Which cells an expectation speaks of; an absent key matches every level.
+struct Selector {
+  std::optional<std::string> method, arithmetic, special_functions;
+  std::optional<bool> compensation;
+  std::optional<double> step;
+  bool matches(CellLabels const& cell) const;
+};
+
+struct Around {
+  double exponent = 0, within = 0;
+};
+
+/// One [[expect]] of a study: what must be true of a quantity in the selected cells. Several parts may be given; all must hold.
+struct Expectation {
+  std::string of;  ///< component or quantity: "spatial-momentum" speaks of its three components
+  Selector where;
+  enum class DriftWanted { unsaid, none, band };
+  DriftWanted drift = DriftWanted::unsaid;
+  Interval drift_band;                  ///< per step; the estimate must lie inside, and be significant unless the band holds 0
+  std::optional<Around> growth;         ///< exponent of t in every selected cell
+  std::optional<Around> step_exponent;  ///< p in RMS = a·hᵖ·t^q fitted over the selected cells (at least three steps h)
+  std::optional<bool> persistence;      ///< true: slopes must persist; false: they must not
+  std::vector<std::string> verdict;     ///< any of these words
+  std::optional<double> level;          ///< of the tests; otherwise Levels::test
+  int line = 0;                         ///< in the study file, for messages
+};
+
+/// What became of one expectation in one cell (or over a sweep, for step_exponent).
+struct Outcome {
+  bool passed = false;
+  std::string claim;  ///< "energy, elliptic-naive, double, h = 0.01: drift between −3e-17 and −1.5e-17 per step"
+  std::string found;  ///< "−2.3e-17 ± 0.1e-17 (t = −167); smallest visible drift 5e-19"
+};
+
+}  // namespace brouwer

@@ -1,0 +1,88 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <brouwer/ensemble/study.hpp>
+#include <brouwer/ensemble/trajectory.hpp>
+
+namespace brouwer {
+
+/// A named group of numbers of a system: a parameter (inertia) or a part of the start (momentum).
+struct Field {
+  std::string name;
+  int size = 1;
+  bool parameter = false;
+  std::string unit;
+  std::string help;
+  std::vector<double> standard;  ///< the value when a study leaves it out; empty: it must be given
+};
+
+/// Something that can be observed. Its components are scalars with a sign: the statistics want errors, not norms.
+struct Quantity {
+  std::string name;
+  std::vector<std::string> components;  ///< {"energy"} or {"spatial-momentum-1", …}
+  std::string unit;
+  bool needs_reference = false;  ///< an error of the state, not of a first integral
+  std::string help;
+};
+
+using FieldValues = std::map<std::string, std::vector<double>>;
+
+/// A system as data: what a study may say about it.
+struct SystemEntry {
+  std::string name;   ///< rigid_body
+  std::string title;  ///< the free rigid body …
+  std::vector<Field> fields;
+  std::vector<Quantity> quantities;
+  std::vector<std::string> state_components;  ///< y1 … q3
+  /// Why these values are impossible ("inertia must be sorted …"), or nothing.
+  std::function<std::optional<std::string>(FieldValues const&)> complaint;
+};
+
+/// A method as data, and the one function that turns names into a running trajectory.
+struct MethodEntry {
+  std::string name;     ///< elliptic-naive
+  std::string system;   ///< rigid_body
+  std::string summary;  ///< one line
+  std::string source;   ///< the publication
+  int order = 0;        ///< 0: exact up to rounding
+  bool compensable = false;             ///< has an increment to be summed with compensation
+  bool uses_special_functions = false;  ///< the variants own, gsl, boost apply
+  bool uses_libm = false;               ///< sin, cos, atan …: bits depend on the machine's libm
+  std::function<std::unique_ptr<Trajectory>(TrajectoryRequest const&)> begin;
+};
+
+struct ArithmeticEntry {
+  std::string name;  ///< double
+  int bits = 0;      ///< significand
+  std::string summary;
+};
+
+/// Every name that a study may use. `builtin_catalogue()` is the only place where names meet types;
+/// a user's own program adds entries and hands the catalogue to the `brouwer` command line.
+class Catalogue {
+ public:
+  std::vector<SystemEntry> systems;
+  std::vector<MethodEntry> methods;
+  std::vector<ArithmeticEntry> arithmetics;
+
+  /// @throws InputError "… no method 'x'; nearest: 'y'" where there is no such name.
+  SystemEntry const& system(std::string const& name) const;
+  MethodEntry const& method(std::string const& system, std::string const& name) const;
+  ArithmeticEntry const& arithmetic(std::string const& name) const;
+  Quantity const& quantity(std::string const& system, std::string const& name) const;
+};
+
+/// "own, gsl, boost": variants of the elliptic functions, and whether one exists in an arithmetic.
+std::vector<std::string> const& special_function_variants();
+bool variant_exists(std::string const& variant, std::string const& arithmetic);
+
+Catalogue builtin_catalogue();
+
+}  // namespace brouwer

@@ -1,0 +1,83 @@
+#pragma once
+#include <cmath>
+#include <concepts>
+#include <limits>
+
+namespace brouwer {
+
+/// What a comparison of two scalars gives: bool for one number, one flag a lane for a pack of them.
+template <class T>
+using Mask = decltype(std::declval<T>() < std::declval<T>());
+
+/// Functions of a scalar by one name: the standard's for the built-in types; Boost's and our own types
+/// bring theirs by argument-dependent look-up.
+namespace math {
+using std::abs;
+using std::asin;
+using std::atan;
+using std::atan2;
+using std::cos;
+using std::cosh;
+using std::sin;
+using std::sqrt;
+using std::tanh;
+}  // namespace math
+
+// A number is a pack of one lane. Packs overload these three for their masks.
+inline bool any(bool mask) { return mask; }
+inline bool all(bool mask) { return mask; }
+
+/// Lane by lane: `yes` where the mask is set, `no` elsewhere. Both sides have been computed.
+template <class T>
+T select(bool mask, T const& yes, T const& no) {
+  return mask ? yes : no;
+}
+
+/// A scalar we can integrate with: float, double, long double, Float128, Mpfr<N>; later packs of the first two.
+///
+/// Templates over Real never branch on a comparison (`if (a < b)`): they form a mask, compute both sides and
+/// `select`; a loop that iterates to convergence runs while any(active) and freezes a lane when *it* has
+/// converged, so that a lane of a pack is bit-identical to the scalar run.
+template <class T>
+concept Real = std::copyable<T> && std::constructible_from<T, int> && requires(T a, T b) {
+  { -a } -> std::convertible_to<T>;
+  { a + b } -> std::convertible_to<T>;
+  { a - b } -> std::convertible_to<T>;
+  { a * b } -> std::convertible_to<T>;
+  { a / b } -> std::convertible_to<T>;
+  { select(a < b, a, b) } -> std::convertible_to<T>;
+  { any(a < b) } -> std::same_as<bool>;
+};
+
+/// Unit roundoff's double: the distance from 1 to the next number, 2^(1−p).
+template <class T>
+T epsilon() {
+  return std::numeric_limits<T>::epsilon();
+}
+
+/// Bits of the significand, p.
+template <class T>
+inline constexpr int significand_bits = std::numeric_limits<T>::digits;
+
+/// max and min by mask; the second argument wins where they are equal or unordered.
+template <Real T>
+T larger(T const& a, T const& b) {
+  return select(a > b, a, b);
+}
+template <Real T>
+T smaller(T const& a, T const& b) {
+  return select(a < b, a, b);
+}
+
+/// +1 or −1; zero (of either sign) counts as positive.
+template <Real T>
+T sign_of(T const& a) {
+  return select(a < T(0), T(-1), T(1));
+}
+
+template <Real T>
+T squared(T const& a) {
+  return a * a;
+}
+
+}  // namespace brouwer

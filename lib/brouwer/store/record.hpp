@@ -1,0 +1,46 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace brouwer {
+
+/// The level of every factor of a study in one cell of the factorial design, and what it ran.
+struct CellLabels {
+  std::string system;
+  std::string method;
+  std::string arithmetic;
+  std::string special_functions;  ///< own, gsl, boost; "-" where the method uses none
+  bool compensation = false;
+  double step = 0;         ///< h, in the system's unit of time
+  std::int64_t steps = 0;  ///< how many
+
+  bool operator==(CellLabels const&) const = default;
+};
+
+/// The errors of one scalar quantity, member by member: value now − value at the start (first
+/// integrals) or value − reference (state), both formed in wider arithmetic and rounded once.
+struct Series {
+  std::string name;            ///< component, e.g. "energy", "spatial-momentum-1"
+  std::string quantity;        ///< the quantity it belongs to, e.g. "spatial-momentum"
+  std::string unit;            ///< for people
+  std::int64_t members = 0;    ///< the unit's first members that have it (all, unless it needs a reference)
+  std::vector<double> errors;  ///< [member][sample], row-major; NaN from the sample on at which a member failed
+};
+
+/// What one work unit observed: a block of consecutive members of one cell.
+struct UnitRecord {
+  std::string study_hash;
+  CellLabels cell;
+  std::int64_t first_member = 0;
+  std::int64_t members = 0;
+  std::vector<std::int64_t> sample_steps;  ///< increasing step numbers, the last is cell.steps
+  std::vector<Series> series;              ///< series with members == 0 are kept, with empty errors
+
+  std::vector<std::string> start_names;  ///< parameters and state components: inertia-1 …, y1 …, q3
+  std::vector<double> start;             ///< [member][start_names]: exactly what was integrated
+  std::vector<std::string> state_names;  ///< y1 … q3
+  std::vector<double> final_state;       ///< [member][state_names], rounded to double
+};
+
+}  // namespace brouwer

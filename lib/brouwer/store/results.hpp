@@ -1,0 +1,59 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <brouwer/store/record.hpp>
+
+namespace brouwer {
+
+using ErrorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// One scalar quantity of one cell, all members: what the statistics see.
+struct Ensemble {
+  CellLabels cell;
+  std::string quantity;       ///< component name, e.g. "energy", "spatial-momentum-1"
+  std::string family;         ///< the quantity it belongs to, e.g. "spatial-momentum"
+  std::string unit;
+  std::vector<double> times;  ///< increasing, > 0; in steps
+  ErrorMatrix errors;         ///< members × times; every entry finite
+  std::int64_t failed = 0;    ///< members left out because an error was not finite
+};
+
+/// A result folder that `run` wrote (see plan.hpp for its layout): finished units, read on demand, one
+/// quantity of one cell at a time, so that memory holds only what is analysed.
+class Results {
+ public:
+  /// @throws InputError if the folder does not exist or is no result folder
+  explicit Results(std::filesystem::path folder);
+
+  std::filesystem::path const& folder() const { return folder_; }
+  std::string const& study_hash() const { return study_hash_; }
+
+  /// The study file as it was read (with overrides applied), TOML.
+  std::string study_text() const;
+
+  std::size_t cells() const { return cells_.size(); }
+  CellLabels const& labels(std::size_t cell) const { return cells_[cell].labels; }
+  /// Component names in the order stored; only those that at least one member has.
+  std::vector<std::string> const& quantities(std::size_t cell) const { return cells_[cell].quantities; }
+  /// How many of the planned members are finished.
+  std::int64_t finished_members(std::size_t cell) const { return cells_[cell].members; }
+
+  Ensemble load(std::size_t cell, std::string const& quantity) const;
+
+ private:
+  struct Cell {
+    CellLabels labels;
+    std::vector<std::string> quantities;
+    std::vector<std::filesystem::path> units;  // by first member
+    std::int64_t members = 0;
+  };
+  std::filesystem::path folder_;
+  std::string study_hash_;
+  std::vector<Cell> cells_;  // in the order of the plan
+};
+
+}  // namespace brouwer
