@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <brouwer/ensemble/catalogue.hpp>
+#include <brouwer/ensemble/study.hpp>
+#include <brouwer/store/record.hpp>
+
+namespace brouwer {
+
+/// What one member starts from: the system's parameter fields and its other fields, one after the other.
+struct Start {
+  std::vector<double> parameters, state;
+};
+
+/// The study's values as they stand, without perturbation.
+Start nominal_start(Study const& study, SystemEntry const& system);
+
+/// Member `member`'s start: the nominal one, perturbed with random numbers that depend on (seed, member)
+/// alone (Philox 4×64, Random123). A draw that the system refuses (an impossible inertia) is drawn again
+/// from the same stream; InputError after 1000 refusals.
+Start member_start(Study const& study, SystemEntry const& system, std::int64_t member);
+
+/// The trajectory of a cell's method and arithmetic from `start`.
+/// @param attitude  false: nothing observed needs the attitude; it stays at its start
+std::unique_ptr<Trajectory> begin_trajectory(Catalogue const& catalogue, CellLabels const& cell, Start const& start,
+                                             bool attitude);
+
+}  // namespace brouwer
