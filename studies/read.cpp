@@ -1,0 +1,82 @@
+#include "studies/read.hpp"
+
+#include <fmt/format.h>
+
+#include <brouwer/error.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <sstream>
+
+#include "studies/reading/expectation_sections.hpp"
+#include "studies/reading/study_sections.hpp"
+
+namespace brouwer {
+namespace {
+
+/// Dotted keys nest as deep as they are long, and what nests is destroyed recursively: 64 KiB stay within any stack.
+constexpr std::size_t most_bytes = 65536;
+
+std::string read_text(std::filesystem::path const& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored))
+    throw InputError(fmt::format("{}: is a folder, expected a study file (TOML)", file.string()));
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> const stream(std::fopen(file.c_str(), "rb"), std::fclose);
+  if (!stream) throw InputError(fmt::format("{}: cannot be read ({})", file.string(), std::strerror(errno)));
+  std::string text(most_bytes + 1, '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), stream.get()));
+  if (std::ferror(stream.get()))
+    throw InputError(fmt::format("{}: cannot be read ({})", file.string(), std::strerror(errno)));
+  return text;
+}
+
+toml::table parse(std::string const& text, std::string const& file) {
+  if (text.size() > most_bytes)
+    throw InputError(fmt::format("{}: is larger than {} KiB, expected a study file (TOML)", file, most_bytes / 1024));
+  try {
+    return toml::parse(text, file);
+  } catch (toml::parse_error const& error) {
+    auto const at = error.source().begin;
+    throw InputError(fmt::format("{}:{}:{}: {}", file, at.line, at.column, error.description()));
+  }
+}
+
+std::string serialised(toml::table const& table) {
+  std::ostringstream text;
+  text << table << '\n';
+  return text.str();
+}
+
+Plan plan_of(Study const& study, Catalogue const& catalogue, std::string const& file) {
+  try {
+    return make_plan(study, catalogue);
+  } catch (InputError const& error) {
+    throw InputError(fmt::format("{}: {}", file, error.what()));
+  }
+}
+
+}  // namespace
+
+StudyFile parse_study(std::string const& text, std::filesystem::path const& file, Catalogue const& catalogue,
+                      std::vector<Override> const& overrides) {
+  toml::table table = parse(text, file.string());
+  apply(overrides, table);
+  StudyFile read{file, {}, {}, {}, overrides.empty() ? text : serialised(table)};
+  Reading reading{file.string(), overrides, {}};
+  Section root(reading, &table, "");
+  read.study.name = file.stem().string();
+  read_study_sections(root, catalogue, read.study);
+  reading.complaints.raise();
+  read.plan = plan_of(read.study, catalogue, file.string());
+  read.expectations = read_expectations(table, reading, catalogue, read.study, read.plan.cells);
+  reading.complaints.raise();
+  return read;
+}
+
+StudyFile read_study(std::filesystem::path const& file, Catalogue const& catalogue,
+                     std::vector<Override> const& overrides) {
+  return parse_study(read_text(file), file, catalogue, overrides);
+}
+
+}  // namespace brouwer

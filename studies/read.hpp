@@ -1,0 +1,32 @@
+#pragma once
+#include <brouwer/ensemble/catalogue.hpp>
+#include <brouwer/ensemble/plan.hpp>
+#include <brouwer/ensemble/study.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "analysis/expectation.hpp"
+#include "studies/reading/overrides.hpp"
+
+namespace brouwer {
+
+/// A study file, read and checked: nothing in it can be refused later for what it says.
+struct StudyFile {
+  std::filesystem::path path;
+  Study study;
+  Plan plan;
+  std::vector<Expectation> expectations;
+  std::string text;  ///< TOML: as it was read, or serialised with the overrides applied
+};
+
+/// Reads a study file.
+/// @throws InputError one sentence a line (at most ten), each with file and line, or the option, key and value
+StudyFile read_study(std::filesystem::path const& file, Catalogue const& catalogue,
+                     std::vector<Override> const& overrides = {});
+
+/// The same from a text; `file` is used in messages, its stem names the study.
+StudyFile parse_study(std::string const& text, std::filesystem::path const& file, Catalogue const& catalogue,
+                      std::vector<Override> const& overrides = {});
+
+}  // namespace brouwer

@@ -1,0 +1,2 @@
+#define TOML_IMPLEMENTATION
+#include "studies/reading/toml.hpp"
