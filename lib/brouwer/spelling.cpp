@@ -1,4 +1,4 @@
-#include <brouwer/ensemble/spelling.hpp>
+#include <brouwer/spelling.hpp>
 
 #include <algorithm>
 #include <cctype>
