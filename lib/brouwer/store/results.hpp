@@ -20,6 +20,7 @@ struct Ensemble {
   std::vector<double> times;  ///< increasing, > 0; in steps
   ErrorMatrix errors;         ///< members × times; every entry finite
   std::int64_t failed = 0;    ///< members left out because an error was not finite
+  std::string time_unit = "step";  ///< of `times`; "time unit" for ensembles of other programs
 };
 
 /// A result folder that `run` wrote (see plan.hpp for its layout): finished units, read on demand, one

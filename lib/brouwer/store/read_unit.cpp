@@ -1,0 +1,149 @@
+#include <algorithm>
+#include <brouwer/error.hpp>
+#include <brouwer/store/file.hpp>
+#include <brouwer/store/hdf5.hpp>
+#include <brouwer/store/unit_layout.hpp>
+#include <functional>
+
+namespace brouwer {
+namespace {
+
+using hdf5::checked;
+using hdf5::Failure;
+using hdf5::Handle;
+
+/// Read only, and without HDF5's lock, which network file systems and read-only disks refuse.
+Handle open_file(std::filesystem::path const& file) {
+  Handle const access(H5Pcreate(H5P_FILE_ACCESS));
+  checked(H5Pset_file_locking(access, /*use=*/false, /*ignore_when_disabled=*/true));
+  Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, access));
+  if (hdf5::text(opened, "format") != unit_layout::format) throw Failure("it is no unit file");
+  if (hdf5::integer(opened, "format_version") != unit_layout::version)
+    throw Failure("its format is of another version");
+  return opened;
+}
+
+/// Far beyond any ensemble, so that first_member + members does not overflow.
+constexpr std::int64_t max_member = std::int64_t{1} << 62;
+
+CellLabels read_labels(hid_t file) {
+  CellLabels cell;
+  cell.system = hdf5::text(file, "system");
+  cell.method = hdf5::text(file, "method");
+  cell.arithmetic = hdf5::text(file, "arithmetic");
+  cell.special_functions = hdf5::text(file, "special_functions");
+  cell.compensation = hdf5::integer(file, "compensation") != 0;
+  cell.step = hdf5::real(file, "step_size");
+  cell.steps = hdf5::integer(file, "steps");
+  return cell;
+}
+
+/// Length of a one-dimensional data set.
+std::size_t length(hid_t dataset) {
+  auto const extent = hdf5::extent(dataset);
+  if (extent.size() != 1) throw Failure("its arrays do not fit together");
+  return extent[0];
+}
+
+std::vector<std::int64_t> read_steps(hid_t file) {
+  Handle const dataset = hdf5::open(file, unit_layout::step);
+  std::vector<std::int64_t> steps(length(dataset));
+  hdf5::read(dataset, std::span(steps));
+  bool const increasing = std::adjacent_find(steps.begin(), steps.end(), std::greater_equal<>()) == steps.end();
+  if (!increasing) throw Failure("its samples are out of order");
+  return steps;
+}
+
+/// Names of the members of a group in the order in which they were written.
+std::vector<std::string> names_in(hid_t group) {
+  H5G_info_t info = {};
+  checked(H5Gget_info(group, &info));
+  std::vector<std::string> names;
+  for (hsize_t i = 0; i < info.nlinks; ++i) {
+    auto const name_of = [&](char* to, std::size_t size) {
+      return checked(H5Lget_name_by_idx(group, ".", H5_INDEX_CRT_ORDER, H5_ITER_INC, i, to, size, H5P_DEFAULT));
+    };
+    std::string name(static_cast<std::size_t>(name_of(nullptr, 0)), '\0');
+    name_of(name.data(), name.size() + 1);
+    names.push_back(name);
+  }
+  return names;
+}
+
+Series read_series_header(hid_t group, std::string const& name, UnitRecord const& unit) {
+  Handle const dataset = hdf5::open(group, name);
+  auto const extent = hdf5::extent(dataset);
+  bool const fits =
+      extent.size() == 2 && extent[0] <= static_cast<hsize_t>(unit.members) && extent[1] == unit.sample_steps.size();
+  if (!fits) throw Failure("its arrays do not fit together");
+  auto const members = static_cast<std::int64_t>(extent[0]);
+  return {name, hdf5::text(dataset, "quantity"), hdf5::text(dataset, "units"), members, {}};
+}
+
+UnitRecord read_header(hid_t file) {
+  UnitRecord unit;
+  unit.study_hash = hdf5::text(file, "study_hash");
+  unit.cell = read_labels(file);
+  unit.first_member = hdf5::integer(file, "first_member");
+  unit.members = static_cast<std::int64_t>(length(hdf5::open(file, unit_layout::member)));
+  if (unit.first_member < 0 || unit.first_member > max_member) throw Failure("its members have no number");
+  unit.sample_steps = read_steps(file);
+  unit.start_names = hdf5::read_texts(hdf5::open(file, unit_layout::start_component));
+  unit.state_names = hdf5::read_texts(hdf5::open(file, unit_layout::state_component));
+  Handle const group(H5Gopen2(file, unit_layout::errors, H5P_DEFAULT));
+  for (auto const& name : names_in(group)) unit.series.push_back(read_series_header(group, name, unit));
+  return unit;
+}
+
+/// A data set of `rows` × `columns` numbers.
+std::vector<double> read_table(hid_t group, std::string const& name, std::int64_t rows, std::size_t columns) {
+  Handle const dataset = hdf5::open(group, name);
+  if (hdf5::extent(dataset) != hdf5::Extent{static_cast<hsize_t>(rows), columns})
+    throw Failure("its arrays do not fit together");
+  std::vector<double> numbers(static_cast<std::size_t>(rows) * columns);
+  hdf5::read(dataset, std::span(numbers));
+  return numbers;
+}
+
+void read_numbers(hid_t file, UnitRecord& unit) {
+  unit.start = read_table(file, unit_layout::start, unit.members, unit.start_names.size());
+  unit.final_state = read_table(file, unit_layout::final_state, unit.members, unit.state_names.size());
+  Handle const group(H5Gopen2(file, unit_layout::errors, H5P_DEFAULT));
+  for (auto& series : unit.series)
+    series.errors = read_table(group, series.name, series.members, unit.sample_steps.size());
+}
+
+/// Runs `read` on the opened file; what HDF5 says of it becomes a sentence about the file.
+template <class Read>
+auto reading(std::filesystem::path const& file, Read read) {
+  hdf5::Session const session;
+  try {
+    return read(open_file(file));
+  } catch (Failure const& failure) {
+    throw RunError("cannot read the unit " + file.string() + ": " + failure.what() +
+                   "; delete it and run the study again to compute it anew");
+  }
+}
+
+}  // namespace
+
+UnitRecord read_unit_header(std::filesystem::path const& file) {
+  return reading(file, [](Handle const& opened) { return read_header(opened); });
+}
+
+UnitRecord read_unit(std::filesystem::path const& file) {
+  return reading(file, [](Handle const& opened) {
+    UnitRecord unit = read_header(opened);
+    read_numbers(opened, unit);
+    return unit;
+  });
+}
+
+void read_series(std::filesystem::path const& file, std::string const& name, std::span<double> errors) {
+  reading(file, [&](Handle const& opened) {
+    Handle const group(H5Gopen2(opened, unit_layout::errors, H5P_DEFAULT));
+    hdf5::read(hdf5::open(group, name), errors);
+  });
+}
+
+}  // namespace brouwer

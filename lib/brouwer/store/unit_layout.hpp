@@ -1,0 +1,19 @@
+#pragma once
+// What a unit file is called inside: shared by its writer and its reader.
+#include <cstdint>
+
+namespace brouwer::unit_layout {
+
+inline constexpr char const* format = "brouwer unit";
+inline constexpr std::int64_t version = 1;
+
+inline constexpr char const* errors = "errors";  // group
+inline constexpr char const* member = "member";
+inline constexpr char const* step = "step";
+inline constexpr char const* time = "time";
+inline constexpr char const* start = "start";
+inline constexpr char const* start_component = "start_component";
+inline constexpr char const* final_state = "final_state";
+inline constexpr char const* state_component = "state_component";
+
+}  // namespace brouwer::unit_layout
