@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <brouwer/ensemble/spelling.hpp>
+#include <brouwer/spelling.hpp>
 #include <brouwer/error.hpp>
 #include <cmath>
 #include <sstream>

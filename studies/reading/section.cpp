@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <brouwer/ensemble/spelling.hpp>
+#include <brouwer/spelling.hpp>
 
 namespace brouwer {
 

@@ -1,0 +1,92 @@
+#pragma once
+#include <brouwer/ensemble/catalogue.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/estimates.hpp"
+#include "studies/reading/overrides.hpp"
+
+namespace brouwer {
+
+// What each subcommand was asked for, as data, and the function that carries it out. The functions return the exit
+// status and throw InputError or RunError; results go to standard output, progress and remarks to standard error.
+
+enum ExitStatus { done = 0, expectation_failed = 1, wrong_input = 2, run_failed = 3, interrupted = 75 };
+
+/// How a study is run; shared by run, check and plan.
+struct RunSettings {
+  std::vector<Override> overrides;  ///< --members, --steps, --set, in this order
+  std::string folder;               ///< "": results/NAME in the current folder
+  int threads = 0;                  ///< 0: all
+  Levels levels;
+};
+
+struct RunCommand {
+  std::string study;
+  RunSettings settings;
+  bool no_figures = false;
+};
+
+struct PlanCommand {
+  std::string study;
+  RunSettings settings;
+};
+
+struct TableCommand {
+  std::vector<std::string> results;
+  std::string format = "text";
+  Levels levels;
+};
+
+struct PlotCommand {
+  std::vector<std::string> results;
+  std::string folder;  ///< "": figures/ in the result folder
+  std::string format = "svg";
+  Levels levels;
+};
+
+struct ReportCommand {
+  std::string result;
+  std::string file;  ///< "": report.html in the result folder
+  Levels levels;
+};
+
+struct CheckCommand {
+  std::string subject;  ///< a study file or a result folder
+  std::string junit;    ///< "": none
+  RunSettings settings;
+};
+
+struct FitCommand {
+  std::string file;
+  std::string format = "text";
+  std::string figures;  ///< "": none
+  Levels levels;
+};
+
+struct IntegrateCommand {
+  std::string study;
+  std::vector<Override> overrides;
+  std::optional<std::int64_t> member;  ///< none: the nominal start
+  std::int64_t every = 1;              ///< steps between two lines
+  bool hexadecimal = false;
+};
+
+struct ListCommand {
+  std::string what;  ///< "": everything
+};
+
+int run(RunCommand const& command, Catalogue const& catalogue);
+int plan(PlanCommand const& command, Catalogue const& catalogue);
+int table(TableCommand const& command);
+int plot(PlotCommand const& command);
+int report(ReportCommand const& command);
+int check(CheckCommand const& command, Catalogue const& catalogue);
+int fit(FitCommand const& command);
+int integrate(IntegrateCommand const& command, Catalogue const& catalogue);
+int list(ListCommand const& command, Catalogue const& catalogue);
+
+}  // namespace brouwer
