@@ -67,6 +67,7 @@ struct Estimates {
   Levels levels;
   Verdict verdict = Verdict::not_resolved;
   std::string sentence;  ///< the verdict in words, with the numbers that carry it
+  std::string time_unit = "step";  ///< what drift is per, for people: "step", "time unit"
 };
 
 }  // namespace brouwer

@@ -1,0 +1,168 @@
+#include "analysis/inference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <brouwer/error.hpp>
+#include <cmath>
+#include <limits>
+
+#include "analysis/distributions.hpp"
+#include "analysis/growth.hpp"
+#include "analysis/power_law.hpp"
+#include "analysis/verdict.hpp"
+
+namespace brouwer {
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+/// What the closed-form inference needs of an ensemble, in units in which no square over- or underflows.
+struct Sufficient {
+  double members = 0, samples = 0;
+  double duration = 0;  ///< t_J
+  double slope = 0;     ///< mean of sᵢ
+  double variance = 0;  ///< of sᵢ, about their mean; NaN for one member
+  double sigma2 = 0;    ///< σ̂²; NaN for one sample time
+
+  double degrees() const { return members * (samples - 1); }
+  double standard_error() const { return std::sqrt(variance / members); }
+};
+
+/// Powers of two that bring errors and times near 1, and the results back. Time's is a power of four: σ is per √time.
+struct Units {
+  double error = 1, time = 1;  ///< what errors and times are multiplied by
+
+  double rate(double scaled) const { return scaled * time / error; }
+  double sqrt_rate(double scaled) const { return scaled * std::sqrt(time) / error; }
+  Interval rate(Interval i) const { return {rate(i.low), rate(i.high)}; }
+  Interval sqrt_rate(Interval i) const { return {sqrt_rate(i.low), sqrt_rate(i.high)}; }
+};
+
+Units units_of(Ensemble const& ensemble) {
+  int const half = std::ilogb(ensemble.times.back()) / 2;
+  return {exact_scale(ensemble.errors), std::ldexp(1, -2 * half)};
+}
+
+Eigen::ArrayXd scaled_times(Ensemble const& ensemble, Units const& units) {
+  return units.time * Eigen::Map<Eigen::ArrayXd const>(ensemble.times.data(), std::ssize(ensemble.times));
+}
+
+/// Σⱼ (Δⱼ − δⱼs)²/δⱼ of one member: what is left of its path when the straight line to its end is taken away.
+template <class Row>
+double squared_bridge(Row const& error, Eigen::ArrayXd const& times, double slope) {
+  double sum = 0, last_error = 0, last_time = 0;
+  for (Eigen::Index j = 0; j < times.size(); ++j) {
+    double const delta = times[j] - last_time;
+    double const residual = error[j] - last_error - delta * slope;
+    sum += residual * residual / delta;
+    last_error = error[j];
+    last_time = times[j];
+  }
+  return sum;
+}
+
+Sufficient sufficient(Ensemble const& ensemble, Units const& units) {
+  Eigen::ArrayXd const times = scaled_times(ensemble, units);
+  auto const members = ensemble.errors.rows();
+  Sufficient s{static_cast<double>(members), static_cast<double>(times.size()), times[times.size() - 1]};
+  Eigen::ArrayXd const slopes = units.error * ensemble.errors.rightCols<1>().array() / s.duration;
+  // The first slope is subtracted before the sum, so that equal slopes have exactly their value as mean.
+  s.slope = slopes[0] + (slopes - slopes[0]).mean();
+  s.variance = members > 1 ? (slopes - s.slope).square().sum() / (s.members - 1) : undefined;
+  for (Eigen::Index i = 0; i < members; ++i)
+    s.sigma2 += squared_bridge(units.error * ensemble.errors.row(i), times, slopes[i]);
+  s.sigma2 = times.size() > 1 ? s.sigma2 / s.degrees() : undefined;
+  return s;
+}
+
+Drift drift_of(Sufficient const& s, Units const& units, Levels const& levels) {
+  double const half = student_upper_quantile((1 - levels.confidence) / 2, s.members - 1) * s.standard_error();
+  double const t = s.slope / s.standard_error();
+  return {units.rate(s.slope), units.rate(Interval{s.slope - half, s.slope + half}), t,
+          student_two_sided(t, s.members - 1), 0};
+}
+
+Persistence persistence_of(Sufficient const& s, Units const& units) {
+  double const tau2 = s.variance - s.sigma2 / s.duration;
+  double const F = s.duration * s.variance / s.sigma2;
+  double const m = s.members - 1, n = s.degrees();
+  return {units.rate(std::sqrt(tau2 < 0 ? 0 : tau2)), F, fisher_upper(F, m, n), fisher_lower(F, m, n)};
+}
+
+Diffusion diffusion_of(Sufficient const& s, Units const& units, Levels const& levels) {
+  double const tail = (1 - levels.confidence) / 2, total = s.sigma2 * s.degrees();
+  Interval const sigma = {std::sqrt(total / chi_squared_quantile(1 - tail, s.degrees())),
+                          std::sqrt(total / chi_squared_quantile(tail, s.degrees()))};
+  return {units.sqrt_rate(std::sqrt(s.sigma2)), units.sqrt_rate(sigma)};
+}
+
+double smallest_visible_drift(Sufficient const& s, Units const& units, Levels const& levels) {
+  double const m = s.members - 1;
+  double const quantiles = student_upper_quantile(levels.test / 2, m) + student_upper_quantile(1 - levels.power, m);
+  return units.rate(s.standard_error() * quantiles);
+}
+
+std::vector<double> to_vector(Eigen::ArrayXd const& x) { return {x.begin(), x.end()}; }
+
+/// Mean over the members with its standard error, and RMS, at every sample time.
+void describe_course(Ensemble const& ensemble, double scale, Estimates& e) {
+  double const members = static_cast<double>(ensemble.errors.rows());
+  Eigen::RowVectorXd const first = scale * ensemble.errors.row(0);
+  Eigen::RowVectorXd off = Eigen::RowVectorXd::Zero(first.size()), squares = off, spread = off;
+  for (auto const& row : ensemble.errors.rowwise()) {
+    off += scale * row - first;
+    squares.array() += (scale * row).array().square();
+  }
+  Eigen::RowVectorXd const mean = first + off / members;
+  for (auto const& row : ensemble.errors.rowwise()) spread.array() += (scale * row - mean).array().square();
+  e.mean = to_vector(mean.transpose() / scale);
+  e.mean_error = to_vector((spread.array() / (members * (members - 1))).sqrt().transpose() / scale);
+  e.rms = to_vector((squares.array() / members).sqrt().transpose() / scale);
+  e.rms_final = e.rms.back();
+}
+
+Estimates described(Ensemble const& ensemble, Levels const& levels) {
+  Estimates e;
+  e.cell = ensemble.cell;
+  e.quantity = ensemble.quantity;
+  e.family = ensemble.family;
+  e.unit = ensemble.unit;
+  e.time_unit = ensemble.time_unit;
+  e.members = ensemble.errors.rows();
+  e.samples = ensemble.errors.cols();
+  e.failed = ensemble.failed;
+  e.times = ensemble.times;
+  e.levels = levels;
+  return e;
+}
+
+void require_shape(Ensemble const& ensemble) {
+  if (ensemble.errors.rows() < 1)
+    throw InputError(fmt::format("{}: no member has finite errors, so there is nothing to analyse", ensemble.quantity));
+  if (ensemble.times.empty() || std::ssize(ensemble.times) != ensemble.errors.cols())
+    throw InputError(fmt::format("{}: {} sample times for {} columns of errors", ensemble.quantity,
+                                 ensemble.times.size(), ensemble.errors.cols()));
+}
+
+}  // namespace
+
+Estimates estimate(Ensemble const& ensemble, Levels const& levels) {
+  require_shape(ensemble);
+  auto const units = units_of(ensemble);
+  auto const s = sufficient(ensemble, units);
+  Estimates e = described(ensemble, levels);
+  describe_course(ensemble, units.error, e);
+  e.drift = drift_of(s, units, levels);
+  e.drift.share = e.rms_final > 0 ? std::min(1.0, std::abs(e.mean.back()) / e.rms_final) : 0;
+  e.persistence = persistence_of(s, units);
+  e.diffusion = diffusion_of(s, units, levels);
+  e.growth = growth_of(ensemble, levels.confidence);
+  e.smallest_visible_drift = smallest_visible_drift(s, units, levels);
+  auto judgement = judge(e);
+  e.verdict = judgement.verdict;
+  e.sentence = std::move(judgement.sentence);
+  return e;
+}
+
+}  // namespace brouwer

@@ -1,0 +1,46 @@
+#pragma once
+#include <Eigen/Core>
+#include <brouwer/store/results.hpp>
+#include <cstdint>
+#include <vector>
+
+#include "analysis/estimates.hpp"
+
+namespace brouwer {
+
+/// log RMS = design · coefficients: ordinary least squares, intervals by bootstrap over members.
+struct PowerLaw {
+  Eigen::VectorXd coefficients;
+  std::vector<Interval> intervals;  ///< one a coefficient; NaN where there is a single group
+};
+
+/// Fits a power law to the root mean squares of an ensemble at several places (sample times, cells).
+///
+/// @param squares     groups of members × places: sums of eᵢ² over the group's members. Places where the sum over all
+///                    members is zero are left out: they have no logarithm.
+/// @param members     how many members the groups hold together
+/// @param design      places × coefficients: 1, log t, log h …
+/// @return            coefficients NaN where the remaining places do not determine them.
+///
+/// Interval: θ̂ ± t(G−1) · sd*, with sd* the standard deviation of θ̂ over 1000 resamplings of the G groups, times
+/// √(G/(G−1)) (the bootstrap's variance is (G−1)/G of what it estimates). Members are resampled, never places:
+/// places of one member are dependent. The seed is fixed and the numbers are counter-based: the same data give the
+/// same bits. A resample that has further places of zero RMS is fitted without them.
+/// Coverage of the 95 % interval, simulated, exponent of a Brownian motion at 32 log-spaced times over five decades
+/// (2000 ensembles, ±0.5 %): 95.1 % for M = 4, 94.0 % for 8, 93.5 % for 16, 94.5 % for 64, 96.0 % for 256; of white
+/// noise 95.5 % for M = 8, 95.0 % for 16. Percentile and BCa intervals: 80 %, 87 %, 90 %, 94 %, 96 %.
+PowerLaw fit_power_law(ErrorMatrix const& squares, std::int64_t members, Eigen::MatrixXd const& design,
+                       double confidence);
+
+/// The power of two that brings the largest magnitude of the matrix to [1, 2): squares of what is multiplied by it do
+/// not overflow, and the multiplication is exact. 1 where all entries are zero.
+double exact_scale(ErrorMatrix const& errors);
+
+/// At most this many groups are resampled; with more members, each group sums several of them.
+constexpr std::int64_t most_groups = 1000;
+
+/// Sums of (scale · e)² over groups of consecutive members: min(members, most_groups) × times.
+/// @param members  rows used, from the first
+ErrorMatrix grouped_squares(ErrorMatrix const& errors, std::int64_t members, double scale);
+
+}  // namespace brouwer

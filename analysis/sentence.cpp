@@ -1,0 +1,179 @@
+// The verdicts in words. Every sentence is built from the same few phrases, so that equal facts read equally.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "analysis/numbers.hpp"
+#include "analysis/verdict.hpp"
+
+namespace brouwer {
+namespace {
+
+std::string brief(double x) { return number(x, 2); }
+
+/// Two significant digits, and more where the interval would otherwise not show.
+int digits(double value, Interval i) {
+  double const half = (i.high - i.low) / 2;
+  if (!(half > 0) || !std::isfinite(value) || value == 0) return 2;
+  return std::clamp(2 + static_cast<int>(std::floor(std::log10(std::abs(value) / half))), 2, 6);
+}
+
+/// "1.9e-16 per √step (95 %: 1.8e-16 … 2.0e-16"; the caller closes the bracket.
+std::string with_interval(double value, Interval i, std::string const& unit, Estimates const& e) {
+  int const n = digits(value, i);
+  return fmt::format("{}{} ({:g} %: {} … {}", number(value, n), unit, 100 * e.levels.confidence, number(i.low, n),
+                     number(i.high, n));
+}
+
+/// An exponent with two decimals, and no −0.00.
+std::string decimal(double x) {
+  double const rounded = std::round(100 * x) / 100;
+  return (rounded < 0 ? "−" : "") + fmt::format("{:.2f}", std::abs(rounded));
+}
+
+/// "p = 0.84", or the bound below which doubles end.
+std::string p_value(double p) { return p == 0 ? "p < 1e-300" : "p = " + brief(p); }
+
+std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
+
+std::string per(Estimates const& e) { return " per " + e.time_unit; }
+
+std::string per_root(Estimates const& e) {
+  return e.time_unit.find(' ') == std::string::npos ? " per √" + e.time_unit : " per √(" + e.time_unit + ")";
+}
+
+std::string exponent(Estimates const& e) {
+  return fmt::format("RMS ∝ t^{} ({} … {})", decimal(e.growth.exponent), decimal(e.growth.interval.low),
+                     decimal(e.growth.interval.high));
+}
+
+std::string t_test(Estimates const& e) { return fmt::format("t = {}, {}", brief(e.drift.t), p_value(e.drift.p)); }
+
+std::string diffusion(Estimates const& e) {
+  return with_interval(e.diffusion.per_sqrt_step, e.diffusion.interval, per_root(e), e) + ")";
+}
+
+std::string drift(Estimates const& e) {
+  return fmt::format("{}; {}), which is {} of the final RMS {}",
+                     with_interval(e.drift.per_step, e.drift.interval, per(e), e), t_test(e), percent(e.drift.share),
+                     brief(e.rms_final));
+}
+
+std::string no_drift(Estimates const& e) {
+  if (std::isnan(e.drift.t)) return "every error at the end is zero, so there is no drift";
+  return fmt::format("no drift is seen ({}; its estimate explains {} of the final RMS)", t_test(e),
+                     percent(e.drift.share));
+}
+
+std::string drift_seen_or_not(Estimates const& e) {
+  return e.drift.p < e.levels.test ? "a drift is seen as well: " + drift(e) : no_drift(e);
+}
+
+std::string visible(Estimates const& e) {
+  std::string const levels = fmt::format(" (level {:g}, chance {:g})", e.levels.test, e.levels.power);
+  if (std::isnan(e.smallest_visible_drift)) return "the smallest drift it could have seen is not defined" + levels;
+  if (e.smallest_visible_drift == 0)
+    return "the smallest drift this ensemble could have seen is 0: its members do not differ" + levels;
+  return fmt::format("the smallest drift this ensemble could have seen is {}{}{}", brief(e.smallest_visible_drift),
+                     per(e), levels);
+}
+
+std::string drift_sentence(Estimates const& e) {
+  if (std::isinf(e.drift.t))
+    return fmt::format(
+        "all {} members end with the same error, {}{}, so t is infinite and nothing was averaged; if the "
+        "members should differ, check what perturbs them",
+        e.members, brief(e.drift.per_step), per(e));
+  std::string const beside = e.samples > 1 ? "; beside it the error spreads by " + diffusion(e) : "";
+  return "the error grows on average by " + drift(e) + beside;
+}
+
+std::string persistent_sentence(Estimates const& e) {
+  return fmt::format(
+      "each member keeps a drift of its own, of standard deviation {}{} (F = {}, {}; 1 for a random walk), "
+      "beside a spread of {}; {}; {}",
+      brief(e.persistence.per_step), per(e), brief(e.persistence.F), p_value(e.persistence.p), diffusion(e),
+      exponent(e), no_drift(e));
+}
+
+std::string bounded_sentence(Estimates const& e) {
+  return fmt::format(
+      "the error does not grow: {}, RMS {} at the end; it is spread less than a random walk of its "
+      "increments would be (F = {}, {}); its mean stays",
+      exponent(e), brief(e.rms_final), brief(e.persistence.F), p_value(e.persistence.p_low));
+}
+
+std::string superlinear_sentence(Estimates const& e) {
+  return fmt::format(
+      "the error grows faster than a drift, {} (3/2: a phase driven by a random walk; 2: by a drift); {}", exponent(e),
+      drift_seen_or_not(e));
+}
+
+std::string walk_sentence(Estimates const& e) {
+  return fmt::format("the error spreads by {}, {}; {}", diffusion(e), exponent(e), no_drift(e));
+}
+
+/// How many members would bring the interval of the exponent to ±0.1: its width goes with 1/√M.
+std::string members_needed(Estimates const& e) {
+  double const half = (e.growth.interval.high - e.growth.interval.low) / 2;
+  double const needed = static_cast<double>(e.members) * std::pow(half / walk_tolerance, 2);
+  return fmt::format("; about {} members would give ±{:g}", brief(std::max(needed, 1.0 * fewest_members)),
+                     walk_tolerance);
+}
+
+std::string obstacle(Estimates const& e) {
+  double const half = (e.growth.interval.high - e.growth.interval.low) / 2;
+  if (e.members < 2) return "there is one member only, and drift and persistence show in how members differ; run more";
+  if (e.samples < 2) return "there is one sample time only, so growth cannot be seen; observe at more times";
+  if (std::isnan(half)) return "too few sample times have a non-zero error to fit a law of growth; run longer";
+  if (half > widest_exponent_half) return "the exponent is too uncertain, " + exponent(e) + members_needed(e);
+  if (e.members < fewest_members)
+    return fmt::format("{} members are too few to tell a law of growth ({}); at least {} are needed", e.members,
+                       exponent(e), fewest_members);
+  if (e.persistence.F < bounded_F && e.persistence.p_low < e.levels.test)
+    return fmt::format(
+        "a bounded part (noise, an oscillation) hides the law: {}, F = {} instead of 1; run longer, or "
+        "compare with the same method in higher precision",
+        exponent(e), brief(e.persistence.F));
+  return fmt::format(
+      "{} is neither a random walk's 1/2 nor bounded, and no test of slopes is significant; run longer, "
+      "or with more members",
+      exponent(e));
+}
+
+std::string unresolved_sentence(Estimates const& e) { return obstacle(e) + (e.members < 2 ? "" : "; " + no_drift(e)); }
+
+std::string body(Estimates const& e, Verdict verdict) {
+  switch (verdict) {
+    case Verdict::exact:
+      return fmt::format("all errors of {} members at {} samples are zero", e.members, e.samples);
+    case Verdict::random_walk:
+      return walk_sentence(e);
+    case Verdict::persistent_slopes:
+      return persistent_sentence(e);
+    case Verdict::drift:
+      return drift_sentence(e);
+    case Verdict::bounded:
+      return bounded_sentence(e);
+    case Verdict::faster_than_drift:
+      return superlinear_sentence(e);
+    case Verdict::not_resolved:
+      break;
+  }
+  return unresolved_sentence(e);
+}
+
+std::string capitalised(std::string text) {
+  text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+}  // namespace
+
+std::string sentence_of(Estimates const& e, Verdict verdict) {
+  return capitalised(to_string(verdict)) + ": " + body(e, verdict) + "; " + visible(e) + ".";
+}
+
+}  // namespace brouwer

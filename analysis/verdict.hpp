@@ -1,0 +1,44 @@
+#pragma once
+#include <string>
+
+#include "analysis/estimates.hpp"
+
+namespace brouwer {
+
+struct Judgement {
+  Verdict verdict = Verdict::not_resolved;
+  std::string sentence;
+};
+
+/// Thresholds of the verdict that are not levels of tests; they are conventions, stated here once.
+constexpr std::int64_t fewest_members = 8;     ///< below, no verdict rests on the growth exponent
+constexpr double superlinear_exponent = 1.2;   ///< between a drift's 1 and the 3/2 of a phase driven by a walk
+constexpr double bounded_exponent = 0.25;      ///< between bounded noise's 0 and a walk's 1/2
+constexpr double bounded_F = 0.5;              ///< F below it, significantly: more than a walk's bridges explain
+constexpr double walk_exponent = 0.5;          ///< Brouwer's law
+constexpr double walk_tolerance = 0.1;         ///< an interval inside 0.5 ± 0.1 is called a walk even beside 0.5
+constexpr double widest_exponent_half = 0.25;  ///< a wider interval says nothing about the exponent
+
+/// The verdict on the law of growth: the first line of this table that applies. a = levels.test, q = growth exponent.
+///
+///     exact               every error is zero
+///     not resolved        one member, or one sample time without a significant drift
+///     superlinear         M ≥ 8 and q's interval lies above 1.2 (also when the drift is significant: both are said)
+///     bounded             M ≥ 8, F < 0.5 with P(F' ≤ F) < a, q's interval lies below 0.25, and neither the mean
+///                         nor the RMS has changed at the level a since the middle of the run in log t (so an offset
+///                         is no drift, and a walk that just emerges from bounded noise is not called bounded)
+///     drift               p of t is below a
+///     persistent slopes   p of F is below a
+///     random walk         M ≥ 8, q's interval is at most ±0.25 wide and holds 0.5 or lies inside 0.5 ± 0.1, and F is
+///                         not far below 1 (as for bounded)
+///     not resolved        otherwise
+///
+/// A pure function of the estimates. The sentence names the verdict, the numbers that carry it with their intervals,
+/// the drift's share of the final RMS, and the smallest drift that this ensemble could have seen.
+Judgement judge(Estimates const& e);
+
+/// The verdict alone, and its words.
+Verdict verdict_of(Estimates const& e);
+std::string sentence_of(Estimates const& e, Verdict verdict);
+
+}  // namespace brouwer
