@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "studies/reading/expectation_sections.hpp"
+#include "studies/reading/reach.hpp"
 #include "studies/reading/study_sections.hpp"
 
 namespace brouwer {
@@ -56,27 +57,52 @@ Plan plan_of(Study const& study, Catalogue const& catalogue, std::string const& 
   }
 }
 
+/// Sorts out what the study cannot judge.
+void judge_reach(StudyFile& file, Reading& reading, Catalogue const& catalogue, Reach reach) {
+  std::vector<Expectation> judged;
+  for (auto const& expectation : file.expectations) {
+    auto const why = out_of_reach(expectation, file.study, catalogue, file.plan.cells);
+    if (!why) {
+      judged.push_back(expectation);
+      continue;
+    }
+    std::string const sentence = fmt::format("{}:{}: [[expect]] {}", reading.file, expectation.line, *why);
+    if (reach == Reach::strict) reading.complaints.add(sentence);
+    file.unjudged.push_back(sentence);
+  }
+  file.expectations = std::move(judged);
+}
+
 }  // namespace
 
 StudyFile parse_study(std::string const& text, std::filesystem::path const& file, Catalogue const& catalogue,
-                      std::vector<Override> const& overrides) {
+                      std::vector<Override> const& overrides, Reach reach) {
   toml::table table = parse(text, file.string());
   apply(overrides, table);
-  StudyFile read{file, {}, {}, {}, overrides.empty() ? text : serialised(table)};
+  StudyFile result{file, {}, {}, {}, {}, overrides.empty() ? text : serialised(table)};
   Reading reading{file.string(), overrides, {}};
   Section root(reading, &table, "");
-  read.study.name = file.stem().string();
-  read_study_sections(root, catalogue, read.study);
+  result.study.name = file.stem().string();
+  read_study_sections(root, catalogue, result.study);
+  if (!result.study.system.empty())
+    result.expectations = read_expectations(root, reading, catalogue, result.study.system);
   reading.complaints.raise();
-  read.plan = plan_of(read.study, catalogue, file.string());
-  read.expectations = read_expectations(table, reading, catalogue, read.study, read.plan.cells);
+  result.plan = plan_of(result.study, catalogue, file.string());
+  judge_reach(result, reading, catalogue, reach);
   reading.complaints.raise();
-  return read;
+  return result;
 }
 
 StudyFile read_study(std::filesystem::path const& file, Catalogue const& catalogue,
                      std::vector<Override> const& overrides) {
-  return parse_study(read_text(file), file, catalogue, overrides);
+  return parse_study(read_text(file), file, catalogue, overrides, overrides.empty() ? Reach::strict : Reach::lenient);
+}
+
+StudyFile read_stored_study(std::filesystem::path const& folder, Catalogue const& catalogue) {
+  auto const file = folder / "study.toml";
+  StudyFile stored = parse_study(read_text(file), file, catalogue, {}, Reach::lenient);
+  stored.study.name = std::filesystem::absolute(folder).lexically_normal().filename().string();
+  return stored;
 }
 
 }  // namespace brouwer

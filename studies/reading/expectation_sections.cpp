@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <brouwer/ensemble/catalogue.hpp>
-#include <set>
+
+#include "analysis/expectations.hpp"
 
 namespace brouwer {
 namespace {
@@ -17,57 +18,43 @@ Kind<Interval> band() {
           }};
 }
 
-std::vector<std::string> verdict_words() {
-  std::vector<std::string> words;
-  for (auto verdict : {Verdict::random_walk, Verdict::persistent_slopes, Verdict::drift, Verdict::bounded,
-                       Verdict::faster_than_drift, Verdict::exact, Verdict::not_resolved})
-    words.push_back(to_string(verdict));
-  return words;
-}
-
-/// Quantities observed, and their components: what an expectation may be `of`.
-std::vector<std::string> judged_names(Catalogue const& catalogue, Study const& study) {
+/// Quantities and their components: what an expectation may be `of`.
+std::vector<std::string> with_components(std::vector<Quantity> const& quantities) {
   std::vector<std::string> names;
-  for (auto const& quantity : study.quantities) {
-    names.push_back(quantity);
-    for (auto const& component : catalogue.quantity(study.system, quantity).components)
-      if (component != quantity) names.push_back(component);
+  for (auto const& quantity : quantities) {
+    names.push_back(quantity.name);
+    for (auto const& component : quantity.components)
+      if (component != quantity.name) names.push_back(component);
   }
   return names;
 }
 
-/// A level that some cell of the study runs; `level_of` takes it from a cell's labels.
-template <class T, class LevelOf>
-std::optional<T> level_run(Section& where, std::string const& key, Kind<T> const& kind,
-                           std::vector<CellLabels> const& cells, LevelOf level_of) {
-  auto const wanted = where.value(key, kind);
-  if (!wanted) return std::nullopt;
-  for (auto const& cell : cells)
-    if (level_of(cell) == *wanted) return wanted;
-  where.complain(key, fmt::format(" = {} matches nothing that this study runs", shown(*where.find(key))));
-  return wanted;
+std::vector<std::string> method_names(Catalogue const& catalogue, std::string const& system) {
+  std::vector<std::string> names;
+  for (auto const& method : catalogue.methods)
+    if (method.system == system) names.push_back(method.name);
+  return names;
 }
 
-template <class LevelOf>
-std::vector<std::string> words_run(std::vector<CellLabels> const& cells, LevelOf level_of) {
-  std::set<std::string> words;
-  for (auto const& cell : cells) words.insert(level_of(cell));
-  return {words.begin(), words.end()};
+std::vector<std::string> arithmetic_names(Catalogue const& catalogue) {
+  std::vector<std::string> names;
+  for (auto const& arithmetic : catalogue.arithmetics) names.push_back(arithmetic.name);
+  return names;
 }
 
-std::optional<std::string> word_run(Section& where, std::string const& key, std::string const& what,
-                                    std::vector<CellLabels> const& cells, std::string CellLabels::*label) {
-  auto const known = words_run(cells, [&](CellLabels const& cell) { return cell.*label; });
-  return where.value(key, one_of(what + " in this study", known));
+std::vector<std::string> variant_labels() {
+  auto names = special_function_variants();
+  names.emplace_back("-");  // methods that use none
+  return names;
 }
 
-Selector read_selector(Section where, std::vector<CellLabels> const& cells) {
+Selector read_selector(Section where, Catalogue const& catalogue, std::string const& system) {
   Selector selector;
-  selector.method = word_run(where, "method", "method", cells, &CellLabels::method);
-  selector.arithmetic = word_run(where, "arithmetic", "arithmetic", cells, &CellLabels::arithmetic);
-  selector.special_functions = word_run(where, "special_functions", "variant", cells, &CellLabels::special_functions);
-  selector.compensation = level_run(where, "compensation", flag(), cells, [](auto const& c) { return c.compensation; });
-  selector.step = level_run(where, "step", positive(), cells, [](auto const& c) { return c.step; });
+  selector.method = where.value("method", one_of("method", method_names(catalogue, system)));
+  selector.arithmetic = where.value("arithmetic", one_of("arithmetic", arithmetic_names(catalogue)));
+  selector.special_functions = where.value("special_functions", one_of("variant", variant_labels()));
+  selector.compensation = where.value("compensation", flag());
+  selector.step = where.value("step", positive());
   where.refuse_unknown_keys();
   return selector;
 }
@@ -112,26 +99,11 @@ bool claims_something(Section& expect) {
   return false;
 }
 
-std::size_t steps_selected(Selector const& where, std::vector<CellLabels> const& cells) {
-  std::set<double> steps;
-  for (auto const& cell : cells)
-    if (where.matches(cell)) steps.insert(cell.step);
-  return steps.size();
-}
-
-/// An expectation that no cell can meet is a mistake of the file, not a pass.
-void check_reach(Section& expect, Expectation const& expectation, std::vector<CellLabels> const& cells) {
-  std::size_t const steps = steps_selected(expectation.where, cells);
-  if (steps == 0) expect.complain("where", " matches no combination of levels that this study runs");
-  if (expectation.step_exponent && steps > 0 && steps < 3)
-    expect.complain("step_exponent", fmt::format(" needs at least three step sizes, the study runs {} there", steps));
-}
-
-Expectation read_expectation(Section& expect, std::vector<std::string> const& names,
-                             std::vector<CellLabels> const& cells) {
+Expectation read_expectation(Section& expect, Catalogue const& catalogue, std::string const& system) {
   Expectation expectation;
-  expectation.of = expect.required("of", one_of("observed quantity", names)).value_or("");
-  expectation.where = read_selector(expect.section("where"), cells);
+  auto const names = with_components(catalogue.system(system).quantities);
+  expectation.of = expect.required("of", one_of("quantity", names)).value_or("");
+  expectation.where = read_selector(expect.section("where"), catalogue, system);
   read_drift(expect, expectation);
   expectation.growth = read_around(expect, "growth");
   expectation.step_exponent = read_around(expect, "step_exponent");
@@ -146,24 +118,20 @@ Expectation read_expectation(Section& expect, std::vector<std::string> const& na
 
 }  // namespace
 
-std::vector<Expectation> read_expectations(toml::table const& file, Reading& reading, Catalogue const& catalogue,
-                                           Study const& study, std::vector<CellLabels> const& cells) {
-  toml::node const* node = file.get("expect");
+std::vector<Expectation> read_expectations(Section& root, Reading& reading, Catalogue const& catalogue,
+                                           std::string const& system) {
+  toml::node const* node = root.find("expect");
   if (!node) return {};
-  Section whole_file(reading, &file, "");
   if (!node->is_array_of_tables()) {
-    whole_file.complain("expect", " = " + shown(*node) + ", expected tables [[expect]]");
+    root.complain("expect", " = " + shown(*node) + ", expected tables [[expect]]");
     return {};
   }
   std::vector<Expectation> expectations;
-  auto const names = judged_names(catalogue, study);
   for (auto const& element : *node->as_array()) {
     std::string const path = fmt::format("expect[{}]", expectations.size() + 1);
     Section expect(reading, element.as_table(), path, element.source());
-    std::size_t const complaints = reading.complaints.size();
-    expectations.push_back(read_expectation(expect, names, cells));
+    expectations.push_back(read_expectation(expect, catalogue, system));
     expectations.back().line = static_cast<int>(element.source().begin.line);
-    if (reading.complaints.size() == complaints) check_reach(expect, expectations.back(), cells);
   }
   return expectations;
 }

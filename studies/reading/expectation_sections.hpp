@@ -1,4 +1,5 @@
 #pragma once
+#include <brouwer/ensemble/catalogue.hpp>
 #include <vector>
 
 #include "analysis/expectation.hpp"
@@ -6,13 +7,9 @@
 
 namespace brouwer {
 
-struct Study;
-class Catalogue;
-
-/// Reads every [[expect]]. Complains also of those that could never be judged: of a quantity that is not observed,
-/// of levels that the study does not run, and those that claim nothing.
-/// @param cells  what the study runs
-std::vector<Expectation> read_expectations(toml::table const& file, Reading& reading, Catalogue const& catalogue,
-                                           Study const& study, std::vector<CellLabels> const& cells);
+/// Reads every [[expect]]; complains of names and values that no study of this system could have, and of
+/// expectations that claim nothing. Whether this study can judge them is another question (reach.hpp).
+std::vector<Expectation> read_expectations(Section& root, Reading& reading, Catalogue const& catalogue,
+                                           std::string const& system);
 
 }  // namespace brouwer

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <brouwer/spelling.hpp>
 #include <brouwer/error.hpp>
+#include <brouwer/spelling.hpp>
 #include <cmath>
 #include <sstream>
 

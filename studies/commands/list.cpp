@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <brouwer/error.hpp>
+#include <brouwer/spelling.hpp>
+
+#include "studies/commands/commands.hpp"
+#include "studies/reading/toml.hpp"
+
+namespace brouwer {
+namespace {
+
+std::string field_text(Field const& field) {
+  std::string const standard =
+      field.standard.empty() ? "to be given" : fmt::format("[{}]", fmt::join(field.standard, ", "));
+  return fmt::format("    {:<14} {} ({}); standard: {}\n", field.name, field.help,
+                     field.parameter ? "parameter" : "start", standard);
+}
+
+void list_systems(Catalogue const& catalogue) {
+  for (auto const& system : catalogue.systems) {
+    fmt::print("  {}: {}\n", system.name, system.title);
+    for (auto const& field : system.fields) fmt::print("{}", field_text(field));
+  }
+}
+
+std::string traits(MethodEntry const& method) {
+  std::string text = method.order == 0 ? "exact up to rounding" : fmt::format("order {}", method.order);
+  if (method.compensable) text += ", compensation applies";
+  if (method.uses_special_functions) text += ", special functions apply";
+  if (method.uses_libm) text += ", uses libm";
+  return text;
+}
+
+void list_methods(Catalogue const& catalogue) {
+  for (auto const& method : catalogue.methods)
+    fmt::print("  {:<26} {}\n{:30}{}; {}; {}\n", method.name, method.summary, "", method.system, traits(method),
+               method.source);
+}
+
+void list_arithmetics(Catalogue const& catalogue) {
+  for (auto const& arithmetic : catalogue.arithmetics)
+    fmt::print("  {:<16} {:>5} bits  {}\n", arithmetic.name, arithmetic.bits, arithmetic.summary);
+}
+
+void list_quantities(Catalogue const& catalogue) {
+  for (auto const& system : catalogue.systems)
+    for (auto const& quantity : system.quantities)
+      fmt::print("  {:<18} {}; {}{}\n", quantity.name, quantity.help, system.name,
+                 quantity.needs_reference ? "; needs a reference" : "");
+}
+
+/// The question of a study, or what is the matter with the file.
+std::string question_of(std::filesystem::path const& file) {
+  try {
+    return toml::parse_file(file.string())["question"].value_or<std::string>("(no question)");
+  } catch (toml::parse_error const&) {
+    return "(does not parse)";
+  }
+}
+
+/// Study files in ./studies and in the current folder.
+void list_studies(Catalogue const&) {
+  std::vector<std::filesystem::path> files;
+  for (auto const* folder : {"studies", "."}) {
+    std::error_code unreadable;
+    for (auto const& entry : std::filesystem::directory_iterator(folder, unreadable))
+      if (entry.path().extension() == ".toml" && entry.is_regular_file())
+        files.push_back(entry.path().lexically_normal());
+  }
+  std::sort(files.begin(), files.end());
+  for (auto const& file : files) fmt::print("  {:<32} {}\n", file.string(), question_of(file));
+  if (files.empty()) fmt::print("  none in ./studies or in the current folder\n");
+}
+
+struct Listing {
+  char const* name;
+  void (*print)(Catalogue const&);
+};
+constexpr Listing listings[] = {{"systems", list_systems},
+                                {"methods", list_methods},
+                                {"arithmetics", list_arithmetics},
+                                {"quantities", list_quantities},
+                                {"studies", list_studies}};
+
+std::vector<std::string> listing_names() {
+  std::vector<std::string> names;
+  for (auto const& listing : listings) names.emplace_back(listing.name);
+  return names;
+}
+
+}  // namespace
+
+int list(ListCommand const& command, Catalogue const& catalogue) {
+  std::string const what = command.what == "integrators" ? "methods" : command.what;
+  auto const names = listing_names();
+  if (!what.empty() && std::find(names.begin(), names.end(), what) == names.end())
+    throw InputError(fmt::format("there is no list of '{}'{}", command.what, suggestion(command.what, names)));
+  for (auto const& listing : listings) {
+    if (!what.empty() && what != listing.name) continue;
+    fmt::print("{}:\n", listing.name);
+    listing.print(catalogue);
+  }
+  return done;
+}
+
+}  // namespace brouwer

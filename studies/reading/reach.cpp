@@ -1,0 +1,68 @@
+#include "studies/reading/reach.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace brouwer {
+namespace {
+
+bool observed(std::string const& name, Study const& study, Catalogue const& catalogue) {
+  return std::any_of(study.quantities.begin(), study.quantities.end(), [&](std::string const& quantity) {
+    auto const& components = catalogue.quantity(study.system, quantity).components;
+    return quantity == name || std::find(components.begin(), components.end(), name) != components.end();
+  });
+}
+
+/// "method = a is not run; run are b, c", where the level is given and no cell has it.
+template <class T, class LevelOf>
+std::optional<std::string> not_run(char const* factor, std::optional<T> const& wanted,
+                                   std::vector<CellLabels> const& cells, LevelOf level_of) {
+  if (!wanted) return std::nullopt;
+  std::set<T> run;
+  for (auto const& cell : cells) run.insert(level_of(cell));
+  if (run.contains(*wanted)) return std::nullopt;
+  return fmt::format("{} = {} is not run by this study, run are {}", factor, *wanted, fmt::join(run, ", "));
+}
+
+std::optional<std::string> level_not_run(Selector const& where, std::vector<CellLabels> const& cells) {
+  if (auto no = not_run("method", where.method, cells, [](auto const& c) { return c.method; })) return no;
+  if (auto no = not_run("arithmetic", where.arithmetic, cells, [](auto const& c) { return c.arithmetic; })) return no;
+  if (auto no = not_run("special_functions", where.special_functions, cells,
+                        [](auto const& c) { return c.special_functions; }))
+    return no;
+  if (auto no = not_run("compensation", where.compensation, cells, [](auto const& c) { return c.compensation; }))
+    return no;
+  return not_run("step", where.step, cells, [](auto const& c) { return c.step; });
+}
+
+/// The most step sizes h that selected cells, alike in every other factor, have.
+std::size_t longest_sweep(Selector const& where, std::vector<CellLabels> const& cells) {
+  std::map<std::string, std::set<double>> sweeps;
+  for (auto const& cell : cells)
+    if (where.matches(cell))
+      sweeps[fmt::format("{} {} {} {}", cell.method, cell.arithmetic, cell.special_functions, cell.compensation)]
+          .insert(cell.step);
+  std::size_t most = 0;
+  for (auto const& [others, steps] : sweeps) most = std::max(most, steps.size());
+  return most;
+}
+
+}  // namespace
+
+std::optional<std::string> out_of_reach(Expectation const& expectation, Study const& study, Catalogue const& catalogue,
+                                        std::vector<CellLabels> const& cells) {
+  if (!observed(expectation.of, study, catalogue))
+    return fmt::format("'{}' is not observed by this study, observed are {}", expectation.of,
+                       fmt::join(study.quantities, ", "));
+  if (auto no = level_not_run(expectation.where, cells)) return "where." + *no;
+  std::size_t const sweep = longest_sweep(expectation.where, cells);
+  if (sweep == 0) return "'where' matches no combination of levels that this study runs";
+  if (expectation.step_exponent && sweep < 3)
+    return fmt::format("step_exponent needs at least three step sizes, this study runs {} there", sweep);
+  return std::nullopt;
+}
+
+}  // namespace brouwer
