@@ -1,0 +1,118 @@
+#include "analysis/confront.hpp"
+
+#include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "analysis/factors.hpp"
+#include "analysis/numbers.hpp"
+
+namespace brouwer {
+namespace {
+
+struct Test {
+  Expectation const& expectation;
+  Estimates const& row;
+
+  double level() const { return expectation.level.value_or(row.levels.test); }
+  bool significant(double p) const { return p < level(); }
+};
+
+std::string probability(double p) { return p < 1e-300 ? "p < 1e-300" : "p = " + number(p, 2); }
+
+/// The smallest visible drift is stated at Levels::test; at another level it goes with z(a/2) + z(b) (FORMULAS §7).
+double smallest_visible_drift(Test const& test) {
+  auto const quantiles = [&](double a) {
+    return gsl_cdf_ugaussian_Qinv(a / 2) + gsl_cdf_ugaussian_Pinv(test.row.levels.power);
+  };
+  double const own = test.level(), stated = test.row.levels.test;
+  return test.row.smallest_visible_drift * (own == stated ? 1 : quantiles(own) / quantiles(stated));
+}
+
+std::string drift_found(Test const& test) {
+  auto const& drift = test.row.drift;
+  return fmt::format("β = {} per step (t = {}, {}); the smallest drift visible at level {:g} with chance {:g} is {}",
+                     measured(drift.per_step, drift.interval), number(drift.t, 3), probability(drift.p), test.level(),
+                     test.row.levels.power, number(smallest_visible_drift(test), 2));
+}
+
+Outcome no_drift(Test const& test) {
+  double const p = test.row.drift.p;
+  return {std::isfinite(p) && !test.significant(p), fmt::format("no drift at level {:g}", test.level()),
+          drift_found(test)};
+}
+
+Outcome drift_in_band(Test const& test) {
+  auto const [low, high] = test.expectation.drift_band;
+  double const beta = test.row.drift.per_step;
+  bool const inside = low <= beta && beta <= high, excludes_zero = low > 0 || high < 0;
+  bool const passed = inside && (!excludes_zero || test.significant(test.row.drift.p));
+  std::string const claim = fmt::format("drift between {} and {} per step", number(low, 3), number(high, 3));
+  return {passed, claim + (excludes_zero ? fmt::format(", seen at level {:g}", test.level()) : ""), drift_found(test)};
+}
+
+std::optional<Outcome> drift(Test const& test) {
+  using Wanted = Expectation::DriftWanted;
+  if (test.expectation.drift == Wanted::unsaid) return std::nullopt;
+  return test.expectation.drift == Wanted::none ? no_drift(test) : drift_in_band(test);
+}
+
+std::optional<Outcome> growth(Test const& test) {
+  auto const& wanted = test.expectation.growth;
+  if (!wanted) return std::nullopt;
+  auto const& [q, interval] = test.row.growth;
+  return Outcome{std::abs(q - wanted->exponent) <= wanted->within,
+                 fmt::format("grows as t^q with q = {:g} ± {:g}", wanted->exponent, wanted->within),
+                 fmt::format("q = {} ({:g} % interval {} … {})", number(q, 3), 100 * test.row.levels.confidence,
+                             number(interval.low, 3), number(interval.high, 3))};
+}
+
+std::optional<Outcome> persistence(Test const& test) {
+  auto const& wanted = test.expectation.persistence;
+  if (!wanted) return std::nullopt;
+  auto const& found = test.row.persistence;
+  bool const persists = test.significant(found.p);
+  return Outcome{
+      std::isfinite(found.p) && persists == *wanted,
+      fmt::format("{} at level {:g}", *wanted ? "persistent slopes" : "no persistent slopes", test.level()),
+      fmt::format("F = {} ({}), τ = {} per step", number(found.F, 3), probability(found.p), number(found.per_step, 2))};
+}
+
+std::optional<Outcome> verdict(Test const& test) {
+  auto const& wanted = test.expectation.verdict;
+  if (wanted.empty()) return std::nullopt;
+  std::string const found = to_string(test.row.verdict);
+  return Outcome{std::find(wanted.begin(), wanted.end(), found) != wanted.end(),
+                 fmt::format("verdict {}", fmt::join(wanted, " or ")),
+                 test.row.sentence.empty() ? found : found + ": " + test.row.sentence};
+}
+
+constexpr std::optional<Outcome> (*parts[])(Test const&) = {drift, growth, persistence, verdict};
+
+}  // namespace
+
+std::string claimed_of(Estimates const& row, bool with_step) {
+  auto const cell = brief(row.cell, with_step);
+  return row.quantity + (cell.empty() ? "" : ", " + cell);
+}
+
+std::string left_out(Estimates const& row) {
+  if (row.failed == 0) return "";
+  return fmt::format("; {} of {} members failed and were left out", row.failed, row.failed + row.members);
+}
+
+std::vector<Outcome> confront(Expectation const& expectation, Estimates const& row) {
+  std::vector<Outcome> outcomes;
+  for (auto* const part : parts)
+    if (auto outcome = part({expectation, row})) {
+      outcome->claim = claimed_of(row) + ": " + outcome->claim;
+      outcome->found += left_out(row);
+      outcomes.push_back(std::move(*outcome));
+    }
+  return outcomes;
+}
+
+}  // namespace brouwer

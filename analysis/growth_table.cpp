@@ -1,0 +1,149 @@
+#include "analysis/growth_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "analysis/escape.hpp"
+#include "analysis/factors.hpp"
+
+namespace brouwer {
+namespace {
+
+using Rows = std::vector<Estimates>;
+
+/// A column of numbers or words that every growth table has.
+struct Column {
+  char const* plain;
+  char const* latex;
+  bool left;
+  std::string (*cell)(Estimates const&, Notation);
+};
+
+Column const columns[] = {
+    {"RMS end", "RMS end", false, [](Estimates const& e, Notation n) { return number(e.rms_final, 2, n); }},
+    {"drift β", "drift $\\beta$", false,
+     [](Estimates const& e, Notation n) { return measured(e.drift.per_step, e.drift.interval, n); }},
+    {"t", "$t$", false, [](Estimates const& e, Notation n) { return number(e.drift.t, 3, n); }},
+    {"smallest β", "smallest $\\beta$", false,
+     [](Estimates const& e, Notation n) { return number(e.smallest_visible_drift, 2, n); }},
+    {"F", "$F$", false, [](Estimates const& e, Notation n) { return number(e.persistence.F, 2, n); }},
+    {"diffusion σ", "diffusion $\\sigma$", false,
+     [](Estimates const& e, Notation n) { return measured(e.diffusion.per_sqrt_step, e.diffusion.interval, n); }},
+    {"exponent q", "exponent $q$", false,
+     [](Estimates const& e, Notation n) { return measured(e.growth.exponent, e.growth.interval, n); }},
+    {"verdict", "verdict", true, [](Estimates const& e, Notation) { return to_string(e.verdict); }},
+};
+
+std::vector<CellLabels> cells_of(Rows const& rows) {
+  std::vector<CellLabels> cells;
+  for (auto const& row : rows)
+    if (std::find(cells.begin(), cells.end(), row.cell) == cells.end()) cells.push_back(row.cell);
+  return cells;
+}
+
+template <class Member>
+bool all_equal(Rows const& rows, Member member) {
+  return std::all_of(rows.begin(), rows.end(), [&](auto const& row) { return row.*member == rows.front().*member; });
+}
+
+bool names_quantity(Rows const& rows, CellsAs layout) {
+  return layout == CellsAs::groups || !all_equal(rows, &Estimates::quantity);
+}
+
+std::string shared_words(Rows const& rows, std::vector<CellLabels> const& cells, CellsAs layout) {
+  std::string words = describe(cells.front(), constant_factors(cells));
+  auto const add = [&](std::string const& more) { words += (words.empty() ? "" : ", ") + more; };
+  if (all_equal(rows, &Estimates::members)) add(fmt::format("{} members", rows.front().members));
+  if (!names_quantity(rows, layout) && !rows.front().quantity.empty()) add("error of " + rows.front().quantity);
+  return words;
+}
+
+std::vector<GrowthTable::Heading> headings(Rows const& rows, Factors const& factors, CellsAs layout, Notation n) {
+  std::vector<GrowthTable::Heading> heads;
+  if (layout == CellsAs::columns)
+    for (auto const* factor : factors) heads.push_back({factor->name, true});
+  if (names_quantity(rows, layout)) heads.push_back({"error of", true});
+  if (!all_equal(rows, &Estimates::members)) heads.push_back({"members", false});
+  for (auto const& column : columns) heads.push_back({n == Notation::plain ? column.plain : column.latex, column.left});
+  return heads;
+}
+
+std::vector<std::string> words(Estimates const& row, Rows const& rows, Factors const& factors, CellsAs layout,
+                               Notation notation) {
+  std::vector<std::string> found;
+  if (layout == CellsAs::columns)
+    for (auto const* factor : factors) found.push_back(factor->level(row.cell));
+  if (names_quantity(rows, layout)) found.push_back(row.quantity);
+  if (!all_equal(rows, &Estimates::members)) found.push_back(fmt::format("{}", row.members));
+  for (auto const& column : columns) found.push_back(column.cell(row, notation));
+  return found;
+}
+
+/// Our own runs are timed in steps, an ensemble from a csv in whatever it says.
+std::string time_unit(Rows const& rows) {
+  bool const steps = std::all_of(rows.begin(), rows.end(), [](auto const& row) { return row.cell.steps > 0; });
+  return steps ? "step" : "unit of time";
+}
+
+std::vector<std::string> legend(Rows const& rows, Notation notation) {
+  bool const plain = notation == Notation::plain;
+  auto const pick = [&](char const* text, char const* latex) { return std::string(plain ? text : latex); };
+  std::string const beta = pick("β", "$\\beta$"), unit = time_unit(rows);
+  auto const& levels = rows.front().levels;
+  return {
+      fmt::format("{} is the half of a {:g}{} interval.", pick("±", "$\\pm$"), 100 * levels.confidence,
+                  pick(" %", "\\,\\%")),
+      fmt::format("drift {}: mean slope shared by all members, per {}; {} = {} / its standard error.", beta, unit,
+                  pick("t", "$t$"), beta),
+      fmt::format(
+          "smallest {}: the smallest drift that this ensemble would show with chance {:g}, tested at level {:g}.", beta,
+          levels.power, levels.test),
+      fmt::format("{}: variance of the members' slopes over a random walk's; 1: random walk, above: persistent slopes, "
+                  "below: bounded.",
+                  pick("F", "$F$")),
+      fmt::format("diffusion {}: size of the random walk, per {}{}.", pick("σ", "$\\sigma$"),
+                  pick("√", "square root of a "), unit),
+      fmt::format("exponent {}: RMS over members grows as {}; 0.5 is Brouwer's law (random walk), 1 a drift.",
+                  pick("q", "$q$"), pick("t^q", "$t^q$")),
+  };
+}
+
+std::vector<std::string> failures(Rows const& rows, Factors const& factors) {
+  std::vector<std::string> notes;
+  for (auto const& row : rows)
+    if (row.failed > 0)
+      notes.push_back(fmt::format("{}, {}: {} of {} members were left out, their error is not finite.",
+                                  short_label(row.cell, factors), row.quantity, row.failed, row.failed + row.members));
+  return notes;
+}
+
+}  // namespace
+
+CellsAs best_layout(Rows const& rows) {
+  auto const cells = cells_of(rows);
+  return cells.size() > 1 && rows.size() > cells.size() ? CellsAs::groups : CellsAs::columns;
+}
+
+GrowthTable growth_table(Rows const& rows, CellsAs layout, Notation notation) {
+  if (rows.empty()) return {};
+  auto const cells = cells_of(rows);
+  auto const factors = varying_factors(cells);
+  GrowthTable table{shared_words(rows, cells, layout),
+                    headings(rows, factors, layout, notation),
+                    {},
+                    legend(rows, notation),
+                    failures(rows, factors)};
+  for (auto const& cell : cells) {
+    bool first = true;
+    for (auto const& row : rows)
+      if (row.cell == cell) {
+        table.rows.push_back({short_label(cell, factors), words(row, rows, factors, layout, notation), first});
+        first = false;
+      }
+  }
+  return table;
+}
+
+}  // namespace brouwer
