@@ -1,49 +1,19 @@
 #pragma once
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <brouwer/ensemble/study.hpp>
 #include <brouwer/ensemble/trajectory.hpp>
+#include <brouwer/systems/description.hpp>
 
 namespace brouwer {
 
-/// A named group of numbers of a system: a parameter (inertia) or a part of the start (momentum).
-struct Field {
-  std::string name;
-  int size = 1;
-  bool parameter = false;
-  std::string unit;
-  std::string help;
-  std::vector<double> standard;  ///< the value when a study leaves it out; empty: it must be given
-};
-
-/// Something that can be observed. Its components are scalars with a sign: the statistics want errors, not norms.
-struct Quantity {
-  std::string name;
-  std::vector<std::string> components;  ///< {"energy"} or {"spatial-momentum-1", …}
-  std::string unit;
-  bool needs_reference = false;  ///< an error of the state, not of a first integral
-  std::string help;
-};
-
-using FieldValues = std::map<std::string, std::vector<double>>;
-
 /// A system as data: what a study may say about it.
-struct SystemEntry {
-  std::string name;   ///< rigid_body
-  std::string title;  ///< the free rigid body …
-  std::vector<Field> fields;
-  std::vector<Quantity> quantities;
-  std::vector<std::string> state_components;  ///< y1 … q3
-  /// Why these values are impossible ("inertia must be sorted …"), or nothing.
-  std::function<std::optional<std::string>(FieldValues const&)> complaint;
-};
+using SystemEntry = SystemDescription;
 
 /// A method as data, and the one function that turns names into a running trajectory.
 struct MethodEntry {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <utility>
 
 namespace brouwer {
 
@@ -23,9 +24,12 @@ using std::sqrt;
 using std::tanh;
 }  // namespace math
 
-// A number is a pack of one lane. Packs overload these three for their masks.
+// A number is a pack of one lane. Packs overload these for their masks.
 inline bool any(bool mask) { return mask; }
 inline bool all(bool mask) { return mask; }
+inline bool both(bool a, bool b) { return a && b; }
+inline bool either(bool a, bool b) { return a || b; }
+inline bool without(bool a, bool b) { return a && !b; }
 
 /// Lane by lane: `yes` where the mask is set, `no` elsewhere. Both sides have been computed.
 template <class T>

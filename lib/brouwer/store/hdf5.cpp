@@ -112,7 +112,11 @@ herr_t keep_first(unsigned, H5E_error2_t const* error, void* reason) {
 
 }  // namespace
 
+/// A damaged file can leave HDF5 with objects that it cannot close, of which its own routine at the program's exit
+/// then complains aloud. Every object here is closed by its Handle, so that this routine has nothing to do.
 Session::Session() : lock_(one_user_at_a_time) {
+  static bool const closed_by_handles = H5dont_atexit() >= 0;
+  static_cast<void>(closed_by_handles);
   H5Eget_auto2(H5E_DEFAULT, &printer_, &printer_data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }

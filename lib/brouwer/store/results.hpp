@@ -1,11 +1,10 @@
 #pragma once
 #include <Eigen/Core>
+#include <brouwer/store/record.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
-
-#include <brouwer/store/record.hpp>
 
 namespace brouwer {
 
@@ -14,20 +13,22 @@ using ErrorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen:
 /// One scalar quantity of one cell, all members: what the statistics see.
 struct Ensemble {
   CellLabels cell;
-  std::string quantity;       ///< component name, e.g. "energy", "spatial-momentum-1"
-  std::string family;         ///< the quantity it belongs to, e.g. "spatial-momentum"
+  std::string quantity;  ///< component name, e.g. "energy", "spatial-momentum-1"
+  std::string family;    ///< the quantity it belongs to, e.g. "spatial-momentum"
   std::string unit;
-  std::vector<double> times;  ///< increasing, > 0; in steps
-  ErrorMatrix errors;         ///< members × times; every entry finite
-  std::int64_t failed = 0;    ///< members left out because an error was not finite
+  std::vector<double> times;       ///< increasing, > 0; in steps
+  ErrorMatrix errors;              ///< members × times; every entry finite
+  std::int64_t failed = 0;         ///< members left out because an error was not finite
   std::string time_unit = "step";  ///< of `times`; "time unit" for ensembles of other programs
 };
 
-/// A result folder that `run` wrote (see plan.hpp for its layout): finished units, read on demand, one
+/// A result folder that `run` wrote (see folder.hpp for its layout): finished units, read on demand, one
 /// quantity of one cell at a time, so that memory holds only what is analysed.
 class Results {
  public:
-  /// @throws InputError if the folder does not exist or is no result folder
+  /// Reads the plan and every unit's header.
+  /// @throws InputError if the folder does not exist or is no result folder, RunError if a unit is damaged, is of
+  ///         another study, or has members that another unit has
   explicit Results(std::filesystem::path folder);
 
   std::filesystem::path const& folder() const { return folder_; }
@@ -43,15 +44,25 @@ class Results {
   /// How many of the planned members are finished.
   std::int64_t finished_members(std::size_t cell) const { return cells_[cell].members; }
 
+  /// All finished members that have this component. @throws InputError if there is none of that name.
   Ensemble load(std::size_t cell, std::string const& quantity) const;
 
  private:
+  struct Unit {
+    std::filesystem::path file;
+    UnitRecord header;
+  };
   struct Cell {
     CellLabels labels;
     std::vector<std::string> quantities;
-    std::vector<std::filesystem::path> units;  // by first member
+    std::vector<Unit> units;  // by first member
     std::int64_t members = 0;
   };
+  /// A cell's finished units by first member, their headers checked against the plan and one another.
+  static std::vector<Unit> read_units(std::filesystem::path const& folder, std::string const& study_hash,
+                                      CellLabels const& planned);
+  static std::vector<std::string> component_names(std::vector<Unit> const& units);
+
   std::filesystem::path folder_;
   std::string study_hash_;
   std::vector<Cell> cells_;  // in the order of the plan

@@ -95,12 +95,6 @@ class Temporary {
   Descriptor file_;
 };
 
-/// Makes the new name itself survive a power failure.
-void sync_folder(fs::path const& folder) {
-  Descriptor const opened(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!opened || (::fsync(*opened) != 0 && errno != EINVAL)) fail("write into", folder, errno);
-}
-
 /// Removes `file` unless the process that writes it still lives, and with it its lock.
 void remove_if_unlocked(fs::path const& file) {
   Descriptor const opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
@@ -114,6 +108,11 @@ void write_whole(fs::path const& file, std::string_view bytes) {
   temporary.write(bytes);
   temporary.rename_to(file);
   sync_folder(file.parent_path());
+}
+
+void sync_folder(fs::path const& folder) {
+  Descriptor const opened(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!opened || (::fsync(*opened) != 0 && errno != EINVAL)) fail("write into", folder, errno);
 }
 
 bool is_leftover(fs::path const& file) { return file.filename().string().starts_with(temporary_prefix); }

@@ -1,0 +1,74 @@
+#pragma once
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_sf_ellint.h>
+#include <gsl/gsl_sf_elljac.h>
+
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/jacobi_elliptic.hpp>
+#include <cmath>
+#include <concepts>
+
+#include <brouwer/special/elliptic.hpp>
+
+namespace brouwer {
+
+// Whose F(φ, k) and sn, cn, dn(u, k) an integrator calls. The variant is a factor of a study: it changes the bits.
+// Each has `exists_in<T>`; outside the domain (k > 1) a variant gives NaN, never an exception or an abort.
+
+/// This library's functions; any Real.
+struct OwnElliptic {
+  template <class T>
+  static constexpr bool exists_in = true;
+
+  template <Real T>
+  static T f(T const& phi, T const& k) {
+    return elliptic_f(phi, k);
+  }
+  template <Real T>
+  static Jacobi<T> jacobi(T const& u, T const& k) {
+    return jacobi_elliptic(u, k);
+  }
+};
+
+/// GSL's (Carlson's R_F; Bulirsch's sncndn); double only.
+struct GslElliptic {
+  template <class T>
+  static constexpr bool exists_in = std::same_as<T, double>;
+
+  static double f(double phi, double k) {
+    gsl_sf_result result;
+    bool const good = gsl_sf_ellint_F_e(phi, k, GSL_PREC_DOUBLE, &result) == GSL_SUCCESS;
+    return good ? result.val : std::numeric_limits<double>::quiet_NaN();
+  }
+  static Jacobi<double> jacobi(double u, double k) {
+    Jacobi<double> j{};
+    if (gsl_sf_elljac_e(u, k * k, &j.sn, &j.cn, &j.dn) == GSL_SUCCESS) return j;
+    double const nan = std::numeric_limits<double>::quiet_NaN();
+    return {nan, nan, nan};
+  }
+};
+
+/// Boost.Math's; every scalar but packs.
+struct BoostElliptic {
+  template <class T>
+  static constexpr bool exists_in = std::numeric_limits<T>::is_specialized;
+
+  using Policy = boost::math::policies::policy<
+      boost::math::policies::domain_error<boost::math::policies::ignore_error>,
+      boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
+      boost::math::policies::evaluation_error<boost::math::policies::ignore_error>,
+      boost::math::policies::promote_float<false>, boost::math::policies::promote_double<false>>;
+
+  template <Real T>
+  static T f(T const& phi, T const& k) {
+    return boost::math::ellint_1(k, phi, Policy());
+  }
+  template <Real T>
+  static Jacobi<T> jacobi(T const& u, T const& k) {
+    Jacobi<T> j{};
+    j.sn = boost::math::jacobi_elliptic(k, u, &j.cn, &j.dn, Policy());
+    return j;
+  }
+};
+
+}  // namespace brouwer
