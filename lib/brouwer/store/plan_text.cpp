@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <brouwer/store/plan_text.hpp>
+#include <charconv>
+#include <cstdlib>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+namespace brouwer {
+namespace {
+
+std::string to_text(CellLabels const& cell) {
+  return fmt::format(
+      "system = {}, method = {}, arithmetic = {}, special_functions = {}, compensation = {}, step = {}, steps = {}",
+      cell.system, cell.method, cell.arithmetic, cell.special_functions, cell.compensation, cell.step, cell.steps);
+}
+
+/// "key = value" taken apart; a text without " = " is a key alone.
+std::pair<std::string, std::string> key_and_value(std::string const& text) {
+  auto const equals = text.find(" = ");
+  if (equals == std::string::npos) return {text, ""};
+  return {text.substr(0, equals), text.substr(equals + 3)};
+}
+
+std::map<std::string, std::string> pairs_of(std::string const& text, std::string const& separator) {
+  std::map<std::string, std::string> pairs;
+  for (std::size_t begin = 0; begin < text.size();) {
+    auto const end = std::min(text.find(separator, begin), text.size());
+    pairs.insert(key_and_value(text.substr(begin, end - begin)));
+    begin = end + separator.size();
+  }
+  return pairs;
+}
+
+template <class Number>
+Number number(std::string const& text) {
+  Number value = 0;
+  auto const end = text.data() + text.size();
+  auto const [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || rest != end) throw std::invalid_argument("'" + text + "' is no number");
+  return value;
+}
+
+CellLabels cell_of(std::string const& line) {
+  auto const pairs = pairs_of(line.substr(line.find(": ") + 2), ", ");
+  auto const value = [&](char const* key) {
+    auto const found = pairs.find(key);
+    if (found == pairs.end())
+      throw std::invalid_argument(fmt::format("the line of {} lacks {}", line.substr(0, line.find(':')), key));
+    return found->second;
+  };
+  return {value("system"),
+          value("method"),
+          value("arithmetic"),
+          value("special_functions"),
+          value("compensation") == "true",
+          number<double>(value("step")),
+          number<std::int64_t>(value("steps"))};
+}
+
+/// Hexadecimal doubles as people write them.
+std::string readable(std::string const& value) {
+  static std::regex const hexadecimal("-?0x[0-9a-f.]+p[-+]?[0-9]+");
+  std::string text;
+  auto rest = value.begin();
+  for (std::sregex_iterator found(value.begin(), value.end(), hexadecimal), end; found != end; ++found) {
+    text.append(rest, value.begin() + found->position());
+    text += fmt::format("{}", std::strtod(found->str().c_str(), nullptr));
+    rest = value.begin() + found->position() + found->length();
+  }
+  return text.append(rest, value.end());
+}
+
+}  // namespace
+
+std::string to_text(FolderPlan const& plan) {
+  auto text = "study = " + plan.study_hash + "\n" + plan.canonical_text;
+  if (text.back() != '\n') text += '\n';
+  for (std::size_t i = 0; i < plan.cells.size(); ++i) text += fmt::format("cell {}: {}\n", i, to_text(plan.cells[i]));
+  return text;
+}
+
+FolderPlan plan_of_text(std::string const& text) {
+  FolderPlan plan;
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  if (!line.starts_with("study = ")) throw std::invalid_argument("its first line is not 'study = …'");
+  plan.study_hash = key_and_value(line).second;
+  while (std::getline(lines, line))
+    if (line.starts_with(fmt::format("cell {}: ", plan.cells.size())))
+      plan.cells.push_back(cell_of(line));
+    else
+      plan.canonical_text += line + "\n";
+  return plan;
+}
+
+std::string differences(std::string const& there, std::string const& here) {
+  auto const before = pairs_of(there, "\n"), now = pairs_of(here, "\n");
+  std::vector<std::string> found;
+  for (auto const& [key, value] : before)
+    if (!now.contains(key))
+      found.push_back(fmt::format("{} was {} there and is not given here", key, readable(value)));
+    else if (now.at(key) != value)
+      found.push_back(fmt::format("{} was {} there and is {} here", key, readable(value), readable(now.at(key))));
+  for (auto const& [key, value] : now)
+    if (!before.contains(key))
+      found.push_back(fmt::format("{} was not given there and is {} here", key, readable(value)));
+  if (found.empty()) return "its plan.txt says otherwise";
+  return fmt::format("{}", fmt::join(found, "; "));
+}
+
+}  // namespace brouwer

@@ -1,0 +1,140 @@
+// A unit comes back from its file bit for bit, and the same unit is the same file.
+#include <gmock/gmock.h>
+
+#include <brouwer/error.hpp>
+#include <brouwer/store/whole_file.hpp>
+#include <cstdlib>
+#include <thread>
+
+#include "tests/store/sample_unit.hpp"
+
+namespace brouwer {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+TEST(UnitFile, ReturnsWhatWasWrittenBitForBit) {
+  Scratch const folder;
+  UnitRecord unit = sample_unit();
+  unit.series[0].errors = {std::nan("17"), -0.0, std::numeric_limits<double>::denorm_min(),
+                           -std::numeric_limits<double>::infinity()};
+  unit.series[0].errors.resize(20, 1.0 / 3.0);
+  write_unit(folder / "unit.h5", unit);
+  EXPECT_TRUE(same(unit, read_unit(folder / "unit.h5")));
+}
+
+TEST(UnitFile, KeepsTheOrderOfItsSeries) {
+  Scratch const folder;
+  write_unit(folder / "unit.h5", sample_unit());
+  std::vector<std::string> names;
+  for (auto const& series : read_unit_header(folder / "unit.h5").series) names.push_back(series.name);
+  EXPECT_THAT(names, ElementsAre("energy", "casimir", "attitude-norm", "spatial-momentum-1", "z", "a", "b", "c", "d",
+                                 "y1", "y2"));
+}
+
+TEST(UnitFile, HeaderHasEverythingButTheNumbers) {
+  Scratch const folder;
+  UnitRecord unit = sample_unit();
+  write_unit(folder / "unit.h5", unit);
+  for (auto& series : unit.series) series.errors.clear();
+  unit.start.clear();
+  unit.final_state.clear();
+  EXPECT_TRUE(same(unit, read_unit_header(folder / "unit.h5")));
+}
+
+TEST(UnitFile, OneSeriesCanBeReadIntoItsPlace) {
+  Scratch const folder;
+  UnitRecord const unit = sample_unit();
+  write_unit(folder / "unit.h5", unit);
+  std::vector<double> numbers(20);
+  read_series(folder / "unit.h5", "casimir", numbers);
+  EXPECT_TRUE(same_bits(numbers, unit.series[1].errors));
+  EXPECT_THROW(read_series(folder / "unit.h5", "casimir", std::span(numbers).first(19)), RunError);
+  EXPECT_THROW(read_series(folder / "unit.h5", "no-such-series", numbers), RunError);
+}
+
+TEST(UnitFile, IsTheSameBytesWhenWrittenAgain) {
+  Scratch const folder;
+  write_unit(folder / "first.h5", sample_unit());
+  ::sleep(1);  // long enough for a time stamp to differ
+  std::thread([&] { write_unit(folder / "second.h5", sample_unit()); }).join();
+  EXPECT_EQ(read_whole(folder / "first.h5"), read_whole(folder / "second.h5"));
+}
+
+TEST(UnitFile, MayBeWrittenAndReadByManyThreadsAtOnce) {
+  Scratch const folder;
+  std::vector<std::thread> threads;
+  std::vector<int> right(8);
+  for (std::size_t i = 0; i < right.size(); ++i)
+    threads.emplace_back([&, i] {
+      auto const unit = sample_unit(static_cast<std::int64_t>(i), 20);
+      auto const file = folder / std::to_string(i);
+      for (int again = 0; again < 5; ++again) write_unit(file, unit), right[i] += same(unit, read_unit(file));
+    });
+  for (auto& thread : threads) thread.join();
+  EXPECT_THAT(right, testing::Each(5));
+}
+
+struct EmptyUnit : testing::TestWithParam<UnitRecord> {};
+
+TEST_P(EmptyUnit, ReturnsToo) {
+  Scratch const folder;
+  write_unit(folder / "unit.h5", GetParam());
+  EXPECT_TRUE(same(GetParam(), read_unit(folder / "unit.h5")));
+}
+
+UnitRecord without_samples() {
+  UnitRecord unit = sample_unit();
+  unit.sample_steps.clear();
+  for (auto& series : unit.series) series.errors.clear();
+  return unit;
+}
+UnitRecord without_series() {
+  UnitRecord unit = sample_unit();
+  unit.series.clear();
+  return unit;
+}
+UnitRecord without_components() {
+  UnitRecord unit = sample_unit();
+  unit.start_names.clear(), unit.start.clear(), unit.state_names.clear(), unit.final_state.clear();
+  return unit;
+}
+INSTANTIATE_TEST_SUITE_P(, EmptyUnit,
+                         testing::Values(sample_unit(0, 0), without_samples(), without_series(), without_components(),
+                                         UnitRecord{}));
+
+TEST(UnitFile, RefusesARecordWhoseArraysDoNotFit) {
+  Scratch const folder;
+  UnitRecord unit = sample_unit();
+  unit.series[2].errors.pop_back();
+  EXPECT_THROW(write_unit(folder / "unit.h5", unit), std::logic_error);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(UnitFile, SaysWhyItCannotBeWritten) {
+  Scratch const folder;
+  EXPECT_THAT([&] { write_unit(folder / "missing/unit.h5", sample_unit()); },
+              ThrowsMessage<RunError>(HasSubstr("missing/unit.h5: No such file or directory")));
+}
+
+TEST(UnitFile, SaysThatItIsNotThere) {
+  Scratch const folder;
+  EXPECT_THAT([&] { read_unit(folder / "none.h5"); }, ThrowsMessage<RunError>(HasSubstr("none.h5")));
+}
+
+TEST(UnitFile, IsUnderstoodByNetcdf) {
+  if (std::system("command -v ncdump > /dev/null") != 0) GTEST_SKIP() << "ncdump (netcdf-bin) is not installed";
+  Scratch const folder;
+  write_unit(folder / "unit.h5", sample_unit());
+  auto const dump = folder / "dump.txt";
+  ASSERT_EQ(std::system(("ncdump -v step '" + (folder / "unit.h5").string() + "' > " + dump.string()).c_str()), 0);
+  auto const text = read_whole(dump);
+  EXPECT_THAT(text, HasSubstr("double energy(member, step)"));
+  EXPECT_THAT(text, HasSubstr("double y1(member_3, step)"));
+  EXPECT_THAT(text, HasSubstr("step = 1, 10, 100, 1000"));
+}
+
+}  // namespace
+}  // namespace brouwer
