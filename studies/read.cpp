@@ -101,7 +101,9 @@ StudyFile read_study(std::filesystem::path const& file, Catalogue const& catalog
 StudyFile read_stored_study(std::filesystem::path const& folder, Catalogue const& catalogue) {
   auto const file = folder / "study.toml";
   StudyFile stored = parse_study(read_text(file), file, catalogue, {}, Reach::lenient);
-  stored.study.name = std::filesystem::absolute(folder).lexically_normal().filename().string();
+  auto const path =
+      std::filesystem::absolute(folder / "").lexically_normal();  // ends with a slash, however it was given
+  stored.study.name = path.parent_path().filename().string();
   return stored;
 }
 

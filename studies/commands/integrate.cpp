@@ -82,7 +82,10 @@ Start start_of(IntegrateCommand const& command, Study const& study, SystemEntry 
 }  // namespace
 
 int integrate(IntegrateCommand const& command, Catalogue const& catalogue) {
-  StudyFile const file = read_study(command.study, catalogue, command.overrides);
+  auto overrides = command.overrides;
+  overrides.push_back(
+      {"observe.samples.count", "1", "integrate"});  // samples are of ensembles: any number of steps will do
+  StudyFile const file = read_study(command.study, catalogue, overrides);
   SystemEntry const& system = catalogue.system(file.study.system);
   CellLabels const cell = first_cell(file.plan, command.study);
   auto const trajectory = begin_trajectory(catalogue, cell, start_of(command, file.study, system), true);

@@ -5,6 +5,7 @@
 #include <brouwer/ensemble/catalogue.hpp>
 
 #include "analysis/expectations.hpp"
+#include "studies/reading/names.hpp"
 
 namespace brouwer {
 namespace {
@@ -29,19 +30,6 @@ std::vector<std::string> with_components(std::vector<Quantity> const& quantities
   return names;
 }
 
-std::vector<std::string> method_names(Catalogue const& catalogue, std::string const& system) {
-  std::vector<std::string> names;
-  for (auto const& method : catalogue.methods)
-    if (method.system == system) names.push_back(method.name);
-  return names;
-}
-
-std::vector<std::string> arithmetic_names(Catalogue const& catalogue) {
-  std::vector<std::string> names;
-  for (auto const& arithmetic : catalogue.arithmetics) names.push_back(arithmetic.name);
-  return names;
-}
-
 std::vector<std::string> variant_labels() {
   auto names = special_function_variants();
   names.emplace_back("-");  // methods that use none
@@ -51,7 +39,7 @@ std::vector<std::string> variant_labels() {
 Selector read_selector(Section where, Catalogue const& catalogue, std::string const& system) {
   Selector selector;
   selector.method = where.value("method", one_of("method", method_names(catalogue, system)));
-  selector.arithmetic = where.value("arithmetic", one_of("arithmetic", arithmetic_names(catalogue)));
+  selector.arithmetic = where.value("arithmetic", one_of("arithmetic", names_of(catalogue.arithmetics)));
   selector.special_functions = where.value("special_functions", one_of("variant", variant_labels()));
   selector.compensation = where.value("compensation", flag());
   selector.step = where.value("step", positive());

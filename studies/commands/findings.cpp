@@ -1,0 +1,75 @@
+#include "studies/commands/findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <brouwer/error.hpp>
+
+#include "analysis/factors.hpp"
+#include "analysis/inference.hpp"
+#include "analysis/sweep.hpp"
+#include "analysis/tables.hpp"
+#include "studies/commands/commands.hpp"
+
+namespace brouwer {
+namespace {
+
+std::vector<CellLabels> cells_of(std::vector<Estimates> const& rows) {
+  std::vector<CellLabels> cells;
+  for (auto const& row : rows) cells.push_back(row.cell);
+  return cells;
+}
+
+}  // namespace
+
+Findings::Findings(std::vector<std::string> const& folders, Levels const& levels) : levels_(levels) {
+  for (auto const& folder : folders) results_.emplace_back(folder);
+  for (std::size_t i = 0; i < results_.size(); ++i) analyse(i);
+  if (rows_.empty()) throw InputError(fmt::format("{}: no unit is finished yet", fmt::join(folders, ", ")));
+}
+
+void Findings::analyse(std::size_t results) {
+  Results const& stored = results_[results];
+  for (std::size_t cell = 0; cell < stored.cells(); ++cell) {
+    if (stored.finished_members(cell) == 0) continue;
+    for (auto const& quantity : stored.quantities(cell)) {
+      rows_.push_back(estimate(stored.load(cell, quantity), levels_));
+      places_.push_back({results, cell});
+    }
+  }
+}
+
+Ensemble Findings::ensemble(std::size_t row) const {
+  return results_[places_[row].results].load(places_[row].cell, rows_[row].quantity);
+}
+
+std::vector<Outcome> Findings::check(std::vector<Expectation> const& expectations) const {
+  auto const sweep = [this](std::vector<std::size_t> const& rows) {
+    std::vector<Ensemble> cells;
+    for (auto row : rows) cells.push_back(ensemble(row));
+    return fit_sweep(cells, levels_);
+  };
+  return brouwer::check(expectations, rows_, sweep);
+}
+
+void print_findings(Findings const& findings) {
+  fmt::print("\n{}\n", render_table(findings.rows(), TableFormat::text));
+  auto const varying = varying_factors(cells_of(findings.rows()));
+  for (auto const& row : findings.rows())
+    fmt::print("{}, {}: {}\n", row.quantity, short_label(row.cell, varying), row.sentence);
+}
+
+void print_outcomes(std::vector<Outcome> const& outcomes, std::vector<std::string> const& unjudged) {
+  if (outcomes.empty() && unjudged.empty()) return;
+  fmt::print("\nExpectations\n");
+  for (auto const& outcome : outcomes)
+    fmt::print("  {}  {}\n        found {}\n", outcome.passed ? "PASS" : "FAIL", outcome.claim, outcome.found);
+  for (auto const& sentence : unjudged) fmt::print("  not judged: {}\n", sentence);
+}
+
+int exit_status(std::vector<Outcome> const& outcomes) {
+  bool const all = std::all_of(outcomes.begin(), outcomes.end(), [](Outcome const& outcome) { return outcome.passed; });
+  return all ? done : expectation_failed;
+}
+
+}  // namespace brouwer

@@ -1,0 +1,82 @@
+#include "studies/commands/run_study.hpp"
+
+#include <fmt/format.h>
+
+#include <brouwer/ensemble/run.hpp>
+#include <brouwer/error.hpp>
+
+#include "analysis/factors.hpp"
+#include "studies/commands/interrupt.hpp"
+#include "studies/commands/progress_line.hpp"
+
+namespace brouwer {
+namespace {
+
+std::string reference_text(Reference const& reference) {
+  switch (reference.kind) {
+    case Reference::Kind::none:
+      return "none";
+    case Reference::Kind::exact:
+      return fmt::format("the exact flow, for {} members", reference.members);
+    case Reference::Kind::same_method:
+      return fmt::format("the same method in {}, for {} members", reference.arithmetic, reference.members);
+  }
+  return "";
+}
+
+void print_entry(char const* name, std::string const& text) {
+  if (!text.empty()) fmt::print("{:<10} {}\n", name, text);
+}
+
+std::string runs_text(StudyFile const& file) {
+  return fmt::format("{} cells × {} members, {:.3g} member-steps in {} units", file.plan.cells.size(),
+                     file.study.members, member_steps(file), file.plan.units.size());
+}
+
+}  // namespace
+
+double member_steps(StudyFile const& file) {
+  double steps = 0;
+  for (auto const& cell : file.plan.cells)
+    steps += static_cast<double>(cell.steps) * static_cast<double>(file.study.members);
+  return steps;
+}
+
+std::filesystem::path result_folder(StudyFile const& file, RunSettings const& settings) {
+  if (!settings.folder.empty()) return settings.folder;
+  std::string name = file.study.name;
+  if (!settings.overrides.empty()) name += "-" + study_hash(file.study).substr(0, 8);
+  return std::filesystem::path("results") / name;
+}
+
+void print_study(StudyFile const& file, Catalogue const& catalogue, std::filesystem::path const& folder) {
+  Study const& study = file.study;
+  print_entry("Question", study.question);
+  print_entry("Source", study.source);
+  print_entry("System", fmt::format("{}: {}", study.system, catalogue.system(study.system).title));
+  print_entry("Runs", runs_text(file));
+  for (auto const& cell : file.plan.cells) print_entry("", describe(cell));
+  print_entry("Observes", fmt::format("{}; {} samples", fmt::join(study.quantities, ", "), study.samples.count));
+  print_entry("Reference", reference_text(study.reference));
+  for (auto const& skipped : file.plan.skipped)
+    print_entry("Left out", fmt::format("{}: {}", describe(skipped.cell), skipped.reason));
+  print_entry("Results", folder.string());
+  std::fflush(stdout);  // before progress appears on the other stream
+}
+
+bool run_missing(StudyFile const& file, Catalogue const& catalogue, std::filesystem::path const& folder, int threads) {
+  InterruptGuard const guard;
+  Progress progress;
+  bool finished = false;
+  {
+    ProgressLine const line(progress);
+    RunOptions const options{threads, &InterruptGuard::flag()};
+    finished = run(file.study, file.text, catalogue, file.plan, folder, options, progress);
+  }
+  if (!finished)
+    fmt::print(stderr, "brouwer: interrupted: {} of {} units are finished in {}; the same command resumes\n",
+               progress.units_before + progress.units_done.load(), progress.units_total, folder.string());
+  return finished;
+}
+
+}  // namespace brouwer

@@ -1,0 +1,22 @@
+#pragma once
+#include <filesystem>
+
+#include "studies/commands/commands.hpp"
+#include "studies/read.hpp"
+
+namespace brouwer {
+
+/// Where a study's results go: as asked for, or results/NAME, or results/NAME-xxxxxxxx where options have changed it.
+std::filesystem::path result_folder(StudyFile const& file, RunSettings const& settings);
+
+/// What is asked, run and left out, on standard output.
+void print_study(StudyFile const& file, Catalogue const& catalogue, std::filesystem::path const& folder);
+
+/// Steps of all members of all cells.
+double member_steps(StudyFile const& file);
+
+/// Computes the units that are missing, with progress on standard error.
+/// @return false if interrupted; how to resume has been said then
+bool run_missing(StudyFile const& file, Catalogue const& catalogue, std::filesystem::path const& folder, int threads);
+
+}  // namespace brouwer

@@ -1,0 +1,40 @@
+#include "studies/reading/limits.hpp"
+#include "studies/reading/names.hpp"
+#include "studies/reading/study_sections.hpp"
+
+namespace brouwer {
+namespace {
+
+template <class T>
+std::vector<T> or_else(std::vector<T> levels, std::vector<T> standard) {
+  return levels.empty() ? standard : levels;
+}
+
+/// steps or until: one of them.
+void read_length(Section& integrate, Study& study) {
+  study.steps = integrate.value("steps", whole(1, most_steps));
+  study.until = integrate.value("until", positive());
+  bool const steps = integrate.has("steps"), until = integrate.has("until");
+  if (steps && until) integrate.complain("both integrate.steps and integrate.until are given, expected one of them");
+  if (!steps && !until)
+    integrate.complain("neither integrate.steps nor integrate.until is given, expected one of them");
+}
+
+}  // namespace
+
+void read_integrate(Section& root, Catalogue const& catalogue, Study& study) {
+  Section integrate = root.section("integrate");
+  if (!integrate.has("methods")) integrate.complain("'integrate.methods' is missing, expected at least one method");
+  if (!integrate.has("step")) integrate.complain("'integrate.step' is missing, expected at least one step size");
+  study.methods = integrate.levels("methods", one_of("method", method_names(catalogue, study.system)));
+  study.arithmetics = or_else(integrate.levels("arithmetic", one_of("arithmetic", names_of(catalogue.arithmetics))),
+                              {std::string("double")});
+  study.special_functions = or_else(
+      integrate.levels("special_functions", one_of("variant", special_function_variants())), {std::string("own")});
+  study.compensation = or_else(integrate.levels("compensation", flag()), {false});
+  study.step = integrate.levels("step", positive());
+  read_length(integrate, study);
+  integrate.refuse_unknown_keys();
+}
+
+}  // namespace brouwer
