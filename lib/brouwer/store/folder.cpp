@@ -70,6 +70,7 @@ fs::path unit_path(std::size_t cell, std::int64_t first_member) {
 void create_result_folder(fs::path const& folder, std::string const& study_hash, std::string const& canonical_text,
                           std::string const& study_toml, Provenance const& provenance,
                           std::vector<CellLabels> const& cells) {
+  if (folder.empty()) throw InputError("the result folder has no name");
   try {
     if (auto const difference = difference_to(folder, study_hash, canonical_text)) throw InputError(*difference);
     bool const begun = has_plan(folder);

@@ -20,18 +20,67 @@ namespace fs = std::filesystem;
 }
 
 /// The finished units of a cell; none where the cell has not been begun.
-std::vector<fs::path> unit_files(fs::path const& cell_folder) {
-  std::vector<fs::path> files;
-  if (!fs::exists(cell_folder)) return files;
-  for (auto const& entry : fs::directory_iterator(cell_folder))
-    if (entry.path().extension() == ".h5" && !is_leftover(entry.path())) files.push_back(entry.path());
-  return files;
+std::vector<FinishedUnit> units_in(fs::path const& folder) {
+  std::vector<FinishedUnit> units;
+  std::error_code error;
+  for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error))
+    if (entry->path().extension() == ".h5" && !is_leftover(entry->path()))
+      units.push_back({entry->path(), read_unit_header(entry->path())});
+  if (error && error != std::errc::no_such_file_or_directory)
+    throw RunError(fmt::format("cannot read {}: {}", folder.string(), error.message()));
+  std::sort(units.begin(), units.end(),
+            [](auto const& a, auto const& b) { return a.header.first_member < b.header.first_member; });
+  return units;
 }
 
-Series const* find(UnitRecord const& unit, std::string const& name) {
-  auto const found =
-      std::find_if(unit.series.begin(), unit.series.end(), [&](auto const& s) { return s.name == name; });
-  return found == unit.series.end() ? nullptr : &*found;
+/// Units by first member that agree with the plan and with one another; members that are missing are no fault.
+void check(std::vector<FinishedUnit> const& units, std::string const& study_hash, CellLabels const& planned) {
+  std::int64_t next_member = 0;
+  for (auto const& [file, header] : units) {
+    if (header.study_hash != study_hash) refuse(file, "belongs to another study");
+    if (header.cell != planned) refuse(file, "is of another cell than plan.txt says");
+    if (header.first_member < next_member) refuse(file, "has members that the unit before it has too");
+    if (header.sample_steps != units.front().header.sample_steps) refuse(file, "has other samples than the first unit");
+    next_member = header.first_member + header.members;
+  }
+}
+
+std::vector<std::string> component_names(std::vector<FinishedUnit> const& units) {
+  std::vector<std::string> names;
+  for (auto const& unit : units)
+    for (auto const& series : unit.header.series)
+      if (series.members > 0 && std::find(names.begin(), names.end(), series.name) == names.end())
+        names.push_back(series.name);
+  return names;
+}
+
+/// A unit's share of one component: where it lies and how many members it has.
+struct Part {
+  fs::path file;
+  Series header;
+};
+
+std::vector<Part> parts_of(std::vector<FinishedUnit> const& units, std::string const& component) {
+  std::vector<Part> parts;
+  for (auto const& unit : units)
+    for (auto const& series : unit.header.series)
+      if (series.name == component && series.members > 0) parts.push_back({unit.file, series});
+  return parts;
+}
+
+/// All parts, one below the other, each read straight into its rows.
+ErrorMatrix read(std::vector<Part> const& parts, Eigen::Index samples) {
+  Eigen::Index members = 0;
+  for (auto const& part : parts) members += part.header.members;
+  ErrorMatrix errors(members, samples);
+  auto rest = std::span(errors.data(), static_cast<std::size_t>(errors.size()));
+  for (auto const& part : parts) {
+    auto const size = static_cast<std::size_t>(part.header.members * samples);
+    read_series(part.file, part.header.name, rest.first(size));
+    rest = rest.subspan(size);
+  }
+  return errors;
 }
 
 /// Moves the members whose errors are all finite to the front and cuts the others off.
@@ -56,66 +105,26 @@ Results::Results(fs::path folder) : folder_(std::move(folder)) {
   auto const plan = read_plan(folder_);
   study_hash_ = plan.study_hash;
   for (std::size_t i = 0; i < plan.cells.size(); ++i) {
-    Cell cell{plan.cells[i], {}, read_units(folder_ / cell_path(i), study_hash_, plan.cells[i])};
+    Cell cell{plan.cells[i], {}, units_in(folder_ / cell_path(i))};
+    check(cell.units, study_hash_, cell.labels);
     cell.quantities = component_names(cell.units);
     for (auto const& unit : cell.units) cell.members += unit.header.members;
     cells_.push_back(std::move(cell));
   }
 }
 
-std::vector<Results::Unit> Results::read_units(fs::path const& folder, std::string const& study_hash,
-                                               CellLabels const& planned) {
-  std::vector<Unit> units;
-  for (auto const& file : unit_files(folder)) units.push_back({file, read_unit_header(file)});
-  std::sort(units.begin(), units.end(),
-            [](auto const& a, auto const& b) { return a.header.first_member < b.header.first_member; });
-  std::int64_t next_member = 0;
-  for (auto const& [file, header] : units) {
-    if (header.study_hash != study_hash) refuse(file, "belongs to another study");
-    if (header.cell != planned) refuse(file, "is of another cell than plan.txt says");
-    if (header.first_member < next_member) refuse(file, "has members that the unit before it has too");
-    if (header.sample_steps != units.front().header.sample_steps) refuse(file, "has other samples than the first unit");
-    next_member = header.first_member + header.members;
-  }
-  return units;
-}
-
-std::vector<std::string> Results::component_names(std::vector<Unit> const& units) {
-  std::vector<std::string> names;
-  for (auto const& unit : units)
-    for (auto const& series : unit.header.series)
-      if (series.members > 0 && std::find(names.begin(), names.end(), series.name) == names.end())
-        names.push_back(series.name);
-  return names;
-}
-
 std::string Results::study_text() const { return read_whole(folder_ / "study.toml"); }
 
 Ensemble Results::load(std::size_t number, std::string const& quantity) const {
   auto const& cell = cells_.at(number);
-  Ensemble ensemble;
-  ensemble.cell = cell.labels;
-  ensemble.quantity = quantity;
-  Eigen::Index members = 0;
-  for (auto const& unit : cell.units)
-    if (auto const* series = find(unit.header, quantity); series != nullptr) {
-      ensemble.family = series->quantity;
-      ensemble.unit = series->unit;
-      members += series->members;
-    }
-  if (members == 0)
-    throw InputError(folder_.string() + " has no '" + quantity + "'" + suggestion(quantity, cell.quantities));
-
+  auto const parts = parts_of(cell.units, quantity);
+  if (parts.empty())
+    throw InputError(
+        fmt::format("{} has no quantity '{}'{}", folder_.string(), quantity, suggestion(quantity, cell.quantities)));
   auto const& steps = cell.units.front().header.sample_steps;
-  ensemble.times.assign(steps.begin(), steps.end());
-  ensemble.errors.resize(members, std::ssize(steps));
-  auto rest = std::span(ensemble.errors.data(), static_cast<std::size_t>(ensemble.errors.size()));
-  for (auto const& unit : cell.units)
-    if (auto const* series = find(unit.header, quantity); series != nullptr) {
-      auto const size = static_cast<std::size_t>(series->members) * steps.size();
-      read_series(unit.file, quantity, rest.first(size));
-      rest = rest.subspan(size);
-    }
+  auto const& first = parts.front().header;
+  Ensemble ensemble{
+      cell.labels, quantity, first.quantity, first.unit, {steps.begin(), steps.end()}, read(parts, std::ssize(steps))};
   ensemble.failed = drop_failed(ensemble.errors);
   return ensemble;
 }

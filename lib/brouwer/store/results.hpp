@@ -22,6 +22,12 @@ struct Ensemble {
   std::string time_unit = "step";  ///< of `times`; "time unit" for ensembles of other programs
 };
 
+/// A unit's file and what stands in it beside the numbers.
+struct FinishedUnit {
+  std::filesystem::path file;
+  UnitRecord header;
+};
+
 /// A result folder that `run` wrote (see folder.hpp for its layout): finished units, read on demand, one
 /// quantity of one cell at a time, so that memory holds only what is analysed.
 class Results {
@@ -48,21 +54,12 @@ class Results {
   Ensemble load(std::size_t cell, std::string const& quantity) const;
 
  private:
-  struct Unit {
-    std::filesystem::path file;
-    UnitRecord header;
-  };
   struct Cell {
     CellLabels labels;
     std::vector<std::string> quantities;
-    std::vector<Unit> units;  // by first member
+    std::vector<FinishedUnit> units;  // by first member
     std::int64_t members = 0;
   };
-  /// A cell's finished units by first member, their headers checked against the plan and one another.
-  static std::vector<Unit> read_units(std::filesystem::path const& folder, std::string const& study_hash,
-                                      CellLabels const& planned);
-  static std::vector<std::string> component_names(std::vector<Unit> const& units);
-
   std::filesystem::path folder_;
   std::string study_hash_;
   std::vector<Cell> cells_;  // in the order of the plan

@@ -1,0 +1,145 @@
+// What the statistics see of a result folder: all finished members, in order, and nothing of doubtful origin.
+#include <gmock/gmock.h>
+
+#include <brouwer/error.hpp>
+#include <brouwer/store/results.hpp>
+#include <brouwer/store/whole_file.hpp>
+
+#include "tests/store/sample_unit.hpp"
+
+namespace brouwer {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+using testing::ThrowsMessage;
+
+struct UnitsInAFolder : testing::Test {
+  UnitsInAFolder() {
+    create_result_folder(folder.path(), sample_unit().study_hash, "members = 12\n", "question = \"?\"\n", {},
+                         {sample_cell(), other_cell()});
+  }
+  static CellLabels other_cell() {
+    auto cell = sample_cell();
+    cell.method = "dmv-2";
+    return cell;
+  }
+  void put(UnitRecord const& unit, std::size_t cell = 0) const {
+    write_unit(folder / unit_path(cell, unit.first_member), unit);
+  }
+  Results results() const { return Results(folder.path()); }
+
+  Scratch folder;
+};
+
+TEST_F(UnitsInAFolder, WithoutUnitsHasCellsButNoMembers) {
+  auto const results = this->results();
+  ASSERT_EQ(results.cells(), 2U);
+  EXPECT_EQ(results.labels(1), other_cell());
+  EXPECT_EQ(results.finished_members(1), 0);
+  EXPECT_TRUE(results.quantities(0).empty());
+  EXPECT_EQ(results.study_text(), "question = \"?\"\n");
+  EXPECT_EQ(results.study_hash(), sample_unit().study_hash);
+  EXPECT_THROW(results.load(0, "energy"), InputError);
+}
+
+TEST_F(UnitsInAFolder, GivesAllMembersInOrder) {
+  put(sample_unit(4, 2)), put(sample_unit(0, 4)), put(sample_unit(9, 3));
+  auto const ensemble = results().load(0, "casimir");
+  EXPECT_EQ(results().finished_members(0), 9);
+  EXPECT_EQ(ensemble.cell, sample_cell());
+  EXPECT_EQ(ensemble.family, "quantity of casimir");
+  EXPECT_EQ(ensemble.unit, "kg m²/s²");
+  EXPECT_THAT(ensemble.times, ElementsAre(1, 10, 100, 1000));
+  std::vector<double> expected;
+  for (auto const& unit : {sample_unit(0, 4), sample_unit(4, 2), sample_unit(9, 3)})
+    expected.insert(expected.end(), unit.series[1].errors.begin(), unit.series[1].errors.end());
+  ASSERT_EQ(ensemble.errors.rows(), 9);
+  EXPECT_TRUE(same_bits({ensemble.errors.data(), ensemble.errors.data() + ensemble.errors.size()}, expected));
+  EXPECT_EQ(ensemble.failed, 0);
+}
+
+TEST_F(UnitsInAFolder, NamesOnlyWhatAMemberHas) {
+  put(sample_unit());
+  EXPECT_THAT(results().quantities(0), Contains("y1"));
+  EXPECT_THAT(results().quantities(0), Not(Contains("y2")));
+  EXPECT_EQ(results().quantities(0).front(), "energy");
+  EXPECT_EQ(results().load(0, "y1").errors.rows(), 3);
+  EXPECT_THAT([&] { results().load(0, "enrgy"); }, ThrowsMessage<InputError>(HasSubstr("did you mean 'energy'")));
+}
+
+TEST_F(UnitsInAFolder, LeavesOutMembersThatFailedInThatQuantityAlone) {
+  auto unit = sample_unit(0, 5);
+  auto& errors = unit.series[0].errors;
+  for (auto const at : {3U, 8U}) errors[at] = at == 3 ? std::nan("") : std::numeric_limits<double>::infinity();
+  put(unit);
+  auto const ensemble = results().load(0, "energy");
+  EXPECT_EQ(ensemble.failed, 2);
+  ASSERT_EQ(ensemble.errors.rows(), 3);
+  EXPECT_TRUE(ensemble.errors.allFinite());
+  EXPECT_EQ(ensemble.errors(0, 0), errors[4]);
+  EXPECT_EQ(ensemble.errors(1, 3), errors[15]);
+  EXPECT_EQ(ensemble.errors(2, 0), errors[16]);
+  EXPECT_EQ(results().load(0, "casimir").failed, 0);
+}
+
+TEST_F(UnitsInAFolder, MayHaveNoMemberThatDidNotFail) {
+  auto unit = sample_unit(0, 2);
+  unit.series[0].errors.assign(8, std::nan(""));
+  put(unit);
+  EXPECT_EQ(results().load(0, "energy").failed, 2);
+  EXPECT_EQ(results().load(0, "energy").errors.rows(), 0);
+}
+
+struct Refusal : UnitsInAFolder {
+  void expect(std::string const& reason) const {
+    EXPECT_THAT([&] { results(); }, ThrowsMessage<RunError>(HasSubstr(reason)));
+  }
+};
+
+TEST_F(Refusal, OfUnitsOfAnotherStudy) {
+  auto unit = sample_unit();
+  unit.study_hash = "another";
+  put(unit);
+  expect("belongs to another study");
+}
+
+TEST_F(Refusal, OfUnitsOfAnotherCell) {
+  put(sample_unit(), 1);
+  expect("is of another cell");
+}
+
+TEST_F(Refusal, OfMembersThatAreThereTwice) {
+  put(sample_unit(0, 4)), put(sample_unit(3, 4));
+  expect("members-000003.h5 has members that the unit before it has too");
+}
+
+TEST_F(Refusal, OfOtherSamples) {
+  auto unit = sample_unit(0, 4);
+  unit.sample_steps = {1, 10, 101, 1000};
+  put(unit), put(sample_unit(4, 4));
+  expect("has other samples");
+}
+
+TEST_F(Refusal, OfDamagedUnits) {
+  put(sample_unit());
+  auto const file = folder / unit_path(0, 64);
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) - 100);
+  expect("delete it and run the study again");
+}
+
+TEST_F(Refusal, OfADamagedPlan) {
+  write_whole(folder / "plan.txt", "stu");
+  expect("plan.txt is damaged");
+}
+
+TEST(Results, NeedAResultFolder) {
+  Scratch const folder;
+  EXPECT_THAT([&] { Results(folder / "none"); }, ThrowsMessage<InputError>(HasSubstr("there is no result folder")));
+  EXPECT_THAT([&] { Results{folder.path()}; }, ThrowsMessage<InputError>(HasSubstr("is no result folder")));
+}
+
+}  // namespace
+}  // namespace brouwer
