@@ -41,7 +41,7 @@ struct Units {
 
 Units units_of(Ensemble const& ensemble) {
   int const half = std::ilogb(ensemble.times.back()) / 2;
-  return {exact_scale(ensemble.errors), std::ldexp(1, -2 * half)};
+  return {exact_scale(largest_magnitude(ensemble.errors)), std::ldexp(1, -2 * half)};
 }
 
 Eigen::ArrayXd scaled_times(Ensemble const& ensemble, Units const& units) {

@@ -107,8 +107,9 @@ PowerLaw fit_power_law(ErrorMatrix const& squares, std::int64_t members, Eigen::
   return {centre, student_intervals(centre, sd, dof, confidence)};
 }
 
-double exact_scale(ErrorMatrix const& errors) {
-  double const largest = errors.size() ? errors.cwiseAbs().maxCoeff() : 0;
+double largest_magnitude(ErrorMatrix const& errors) { return errors.size() ? errors.cwiseAbs().maxCoeff() : 0; }
+
+double exact_scale(double largest) {
   if (!(largest > 0)) return 1;
   return std::ldexp(1, std::clamp(-std::ilogb(largest), -1023, 1022));  // 2^1023 would leave no room for the inverse
 }

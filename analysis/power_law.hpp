@@ -32,9 +32,12 @@ struct PowerLaw {
 PowerLaw fit_power_law(ErrorMatrix const& squares, std::int64_t members, Eigen::MatrixXd const& design,
                        double confidence);
 
-/// The power of two that brings the largest magnitude of the matrix to [1, 2): squares of what is multiplied by it do
-/// not overflow, and the multiplication is exact. 1 where all entries are zero.
-double exact_scale(ErrorMatrix const& errors);
+/// max |eᵢ(tⱼ)|; 0 for an empty matrix.
+double largest_magnitude(ErrorMatrix const& errors);
+
+/// The power of two that brings `largest` to [1, 2), as nearly as its inverse can be represented: multiplying by it is
+/// exact, and squares of what is multiplied neither overflow nor vanish beside the largest. 1 for 0.
+double exact_scale(double largest);
 
 /// At most this many groups are resampled; with more members, each group sums several of them.
 constexpr std::int64_t most_groups = 1000;

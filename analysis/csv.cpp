@@ -1,0 +1,116 @@
+#include "analysis/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <brouwer/error.hpp>
+#include <brouwer/spelling.hpp>
+#include <cctype>
+#include <cmath>
+
+#include "analysis/csv_forms.hpp"
+
+namespace brouwer {
+namespace {
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+bool is_number(std::string_view field) {
+  double value;
+  return parse_number(field, value);
+}
+
+/// "membr" is a misspelt member; "member7" and "err2" are members' names.
+bool is_misspelt(std::string const& name) {
+  bool const numbered = std::any_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c); });
+  return !numbered && !nearest(name, {"member", "error"}).empty();
+}
+
+bool is_long_form(CsvHeader const& header) {
+  if (header.find("member") || header.find("error")) return true;
+  return header.names.size() <= 8 && std::any_of(header.names.begin(), header.names.end(), is_misspelt);
+}
+
+CsvHeader header_of(CsvLines const& lines, std::string_view line, CsvFields const& fields) {
+  CsvHeader header{{}, delimiter_of(line)};
+  if (is_number(fields[0])) return header;
+  for (auto const field : fields) header.names.push_back(lower(field));
+  if (fields.size() < 2)
+    lines.complain(fmt::format("expected columns time, member, error (or time and one column a member), found '{}'",
+                               shown(fields[0])));
+  return header;
+}
+
+std::string column_name(CsvHeader const& header, std::size_t column) {
+  if (header.names.empty()) return fmt::format("column {}", column + 1);
+  return fmt::format("column {} ({})", column + 1, shown(header.names[column]));
+}
+
+}  // namespace
+
+std::optional<std::size_t> CsvHeader::find(std::string_view name) const {
+  auto const found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return {};
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+double number_at(CsvLines const& lines, CsvHeader const& header, CsvFields const& fields, std::size_t column) {
+  double value = 0;
+  if (!parse_number(fields[column], value))
+    lines.complain(
+        fmt::format("{}: expected a number, found '{}'", column_name(header, column), shown(fields[column])));
+  if (!std::isfinite(value))
+    lines.complain(fmt::format("{}: expected a finite number in the range of doubles, found '{}'",
+                               column_name(header, column), shown(fields[column])));
+  return value;
+}
+
+double time_at(CsvLines const& lines, CsvHeader const& header, CsvFields const& fields, std::size_t column) {
+  double const time = number_at(lines, header, fields, column);
+  if (time < 0)
+    lines.complain(
+        fmt::format("{}: expected a time from 0 on, found '{}'", column_name(header, column), shown(fields[column])));
+  return time;
+}
+
+void require_fields(CsvLines const& lines, CsvFields const& fields, std::size_t count) {
+  if (fields.size() != count)
+    lines.complain(fmt::format("expected {} columns as in the first line, found {}", count, fields.size()));
+}
+
+void require_zero_start(CsvLines const& lines, double error) {
+  if (error != 0)
+    lines.complain(
+        fmt::format("the error at time 0 is {:g}, and errors are counted from 0 there: subtract it, or shift "
+                    "the times",
+                    error));
+}
+
+void require_an_ensemble(CsvLines const& lines, Ensemble const& ensemble, std::string const& of) {
+  if (ensemble.errors.rows() < 2)
+    throw InputError(
+        fmt::format("{}: one member{} only: the statistics compare members, at least 2 are needed", lines.file(), of));
+  if (ensemble.errors.cols() < 2)
+    throw InputError(fmt::format("{}: {}{}: a law of growth needs errors at 2 or more times above 0", lines.file(),
+                                 ensemble.errors.cols() == 1 ? "one sample time only" : "no sample time", of));
+}
+
+std::vector<Ensemble> read_csv(std::filesystem::path const& file) {
+  CsvLines lines(file);
+  std::string_view line;
+  if (!lines.next(line))
+    throw InputError(lines.file() +
+                     ": the file is empty: expected columns time, member, error (or time and one column a "
+                     "member)");
+  CsvFields fields;
+  split(line, delimiter_of(line), fields);
+  auto const header = header_of(lines, line, fields);
+  if (is_long_form(header)) return read_long_form(lines, header);
+  return {read_wide_form(lines, header, header.names.empty() ? fields : CsvFields{})};
+}
+
+}  // namespace brouwer
