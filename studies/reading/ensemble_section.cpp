@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "studies/reading/limits.hpp"
@@ -19,9 +21,18 @@ void read_perturbation(Section& perturb, Field const& field, Study& study) {
   if (auto const size = laws.value("ulps", whole(1, most_ulps)))
     given.push_back({Law::ulps, static_cast<double>(*size)});
   laws.refuse_unknown_keys();
-  if (laws.present() && laws.keys().size() != 1)
-    laws.complain(laws.path("") + " expected one of uniform, normal, ulps");
+  if (laws.present() && laws.keys().size() != 1) laws.complain(laws.path() + ": expected one of uniform, normal, ulps");
   if (given.size() == 1) study.perturb[field.name] = given.front();
+}
+
+/// An ensemble lives on its differences.
+void refuse_equal_members(Section& ensemble, SystemEntry const& system, Study const& study) {
+  auto const start = std::find_if_not(system.fields.begin(), system.fields.end(), std::mem_fn(&Field::parameter));
+  std::string const example = start == system.fields.end() ? system.fields.front().name : start->name;
+  ensemble.complain(
+      fmt::format("'ensemble.perturb' is missing: all {} members would be the same; expected for example "
+                  "perturb = {{ {} = {{ uniform = 1e-2 }} }}",
+                  study.members, example));
 }
 
 }  // namespace
@@ -35,11 +46,7 @@ void read_ensemble(Section& root, SystemEntry const& system, Study& study) {
   for (auto const& field : system.fields) read_perturbation(perturb, field, study);
   perturb.refuse_unknown_keys();
   ensemble.refuse_unknown_keys();
-  if (perturb.keys().empty() && study.members > 1)
-    ensemble.complain(
-        fmt::format("'ensemble.perturb' is missing: all {} members would be the same; expected for example "
-                    "perturb = {{ {} = {{ uniform = 1e-2 }} }}",
-                    study.members, system.fields.back().name));
+  if (perturb.keys().empty() && study.members > 1) refuse_equal_members(ensemble, system, study);
 }
 
 }  // namespace brouwer

@@ -48,6 +48,13 @@ void refuse_narrow_reference(Section& observe, Catalogue const& catalogue, Study
                       study.reference.arithmetic, reference_bits, working, catalogue.arithmetic(working).bits));
 }
 
+void refuse_missing_flow(Section& observe, SystemEntry const& system, Study const& study) {
+  if (study.reference.kind == Reference::Kind::exact && !system.has_exact_flow)
+    observe.complain("reference", fmt::format(": the exact flow of {} is not known; expected an arithmetic such as "
+                                              "\"float128\": the same method in it",
+                                              system.name));
+}
+
 /// Everything that can be observed with the reference that there is.
 std::vector<std::string> observable(SystemEntry const& system, Reference const& reference) {
   std::vector<std::string> names;
@@ -85,6 +92,7 @@ void read_observe(Section& root, Catalogue const& catalogue, SystemEntry const& 
   if (!observe.has("quantities")) study.quantities = observable(system, study.reference);
   read_samples(observe, study);
   refuse_narrow_reference(observe, catalogue, study);
+  refuse_missing_flow(observe, system, study);
   refuse_missing_reference(observe, system, study);
   observe.refuse_unknown_keys();
 }

@@ -30,6 +30,7 @@ class Section {
 
   bool has(std::string const& key) { return find(key) != nullptr; }
   bool present() const { return table_ != nullptr; }
+  std::string const& path() const { return path_; }
   std::string path(std::string const& key) const { return path_.empty() ? key : path_ + "." + key; }
 
   /// The node at `key` (hyphens and underscores alike), or null.

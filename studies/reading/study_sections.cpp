@@ -41,4 +41,3 @@ void read_study_sections(Section& root, Catalogue const& catalogue, Study& study
 }
 
 }  // namespace brouwer
-
