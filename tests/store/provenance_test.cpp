@@ -1,10 +1,11 @@
-#include <gmock/gmock.h>
-
 #include <brouwer/store/provenance.hpp>
-#include <regex>
+
+#include <gmock/gmock.h>
 
 namespace brouwer {
 namespace {
+
+using testing::MatchesRegex;
 
 std::string value(std::string const& key) {
   for (auto const& [name, value] : provenance(3).entries)
@@ -13,16 +14,16 @@ std::string value(std::string const& key) {
 }
 
 TEST(Provenance, SaysWithWhatTheProgramWasMade) {
-  EXPECT_TRUE(std::regex_match(value("brouwer"), std::regex(R"(\d+\.\d+\.\d+)")));
+  EXPECT_THAT(value("brouwer"), MatchesRegex("[0-9]+[.][0-9]+[.][0-9]+"));
   EXPECT_THAT(value("flags"), testing::HasSubstr("-ffp-contract=off"));
   for (auto const* key : {"boost", "eigen", "gsl", "hdf5", "mpfr", "glibc"})
-    EXPECT_TRUE(std::regex_search(value(key), std::regex(R"(^\d+\.\d+)"))) << key << ": " << value(key);
+    EXPECT_THAT(value(key), MatchesRegex("[0-9]+[.][0-9]+.*")) << key;
 }
 
 TEST(Provenance, SaysOnWhatAndWhen) {
   for (auto const* key : {"compiler", "cpu", "instruction sets", "kernel"}) EXPECT_FALSE(value(key).empty()) << key;
   EXPECT_EQ(value("threads"), "3");
-  EXPECT_TRUE(std::regex_match(value("date"), std::regex(R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ)")));
+  EXPECT_THAT(value("date"), MatchesRegex("[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:[0-9]{2}Z"));
 }
 
 TEST(Provenance, IsOneLineAKey) {

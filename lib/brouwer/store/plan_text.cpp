@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cstdlib>
 #include <map>
-#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -64,15 +63,15 @@ CellLabels cell_of(std::string const& line) {
 
 /// Hexadecimal doubles as people write them.
 std::string readable(std::string const& value) {
-  static std::regex const hexadecimal("-?0x[0-9a-f.]+p[-+]?[0-9]+");
   std::string text;
-  auto rest = value.begin();
-  for (std::sregex_iterator found(value.begin(), value.end(), hexadecimal), end; found != end; ++found) {
-    text.append(rest, value.begin() + found->position());
-    text += fmt::format("{}", std::strtod(found->str().c_str(), nullptr));
-    rest = value.begin() + found->position() + found->length();
+  std::size_t from = 0;
+  for (auto at = value.find("0x"); at != std::string::npos; at = value.find("0x", from)) {
+    char* end = nullptr;
+    double const number = std::strtod(value.c_str() + at, &end);
+    text += value.substr(from, at - from) + fmt::format("{}", number);
+    from = static_cast<std::size_t>(end - value.c_str());
   }
-  return text.append(rest, value.end());
+  return text + value.substr(from);
 }
 
 }  // namespace
