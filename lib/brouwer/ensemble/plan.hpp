@@ -34,6 +34,9 @@ struct Plan {
 /// Checks every name and value; throws InputError (one sentence) where something is impossible.
 Plan make_plan(Study const& study, Catalogue const& catalogue);
 
+/// How many members of a unit have a reference.
+std::int64_t compared_members(Study const& study, Unit const& unit);
+
 /// Step numbers at which a cell of `steps` steps is observed: strictly increasing, the last is `steps`.
 std::vector<std::int64_t> sample_steps(Samples const& samples, std::int64_t steps);
 

@@ -22,6 +22,11 @@ Start nominal_start(Study const& study, SystemEntry const& system);
 /// from the same stream; InputError after 1000 refusals.
 Start member_start(Study const& study, SystemEntry const& system, std::int64_t member);
 
+/// What `arithmetic` makes of doubles: they are rounded where it is narrower (float), and the same elsewhere. A member
+/// and its reference start from these, so that their difference is round-off of the steps alone.
+double rounded_to(std::string const& arithmetic, double value);
+Start rounded_to(std::string const& arithmetic, Start start);
+
 /// The trajectory of a cell's method and arithmetic from `start`.
 /// @param attitude  false: nothing observed needs the attitude; it stays at its start
 std::unique_ptr<Trajectory> begin_trajectory(Catalogue const& catalogue, CellLabels const& cell, Start const& start,

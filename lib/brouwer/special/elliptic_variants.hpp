@@ -48,10 +48,11 @@ struct GslElliptic {
   }
 };
 
-/// Boost.Math's; every scalar but packs.
+/// Boost.Math's; every scalar but packs and Float128 (whose numeric_limits in Boost 1.81, which Boost.Math asks, do not
+/// compile in strict C++).
 struct BoostElliptic {
   template <class T>
-  static constexpr bool exists_in = std::numeric_limits<T>::is_specialized;
+  static constexpr bool exists_in = std::numeric_limits<T>::is_specialized && !std::same_as<T, Float128>;
 
   using Policy = boost::math::policies::policy<
       boost::math::policies::domain_error<boost::math::policies::ignore_error>,

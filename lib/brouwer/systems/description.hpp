@@ -36,8 +36,11 @@ struct SystemDescription {
   std::vector<Field> fields;
   std::vector<Quantity> quantities;
   std::vector<std::string> state_components;  ///< y1 … q3
+  bool has_exact_flow = false;
   /// Why these values are impossible ("inertia must be sorted …"), or nothing.
   std::function<std::optional<std::string>(FieldValues const&)> complaint;
+  /// Puts values that were perturbed back where they must lie (a unit quaternion); may be empty.
+  std::function<void(FieldValues&)> project = {};
 };
 
 }  // namespace brouwer

@@ -122,6 +122,14 @@ inline std::optional<std::string> rigid_body_complaint(FieldValues const& values
   return std::nullopt;
 }
 
+/// A perturbed attitude back to length 1, as well as doubles can.
+inline void normalise_attitude(FieldValues& values) {
+  auto& q = values.at("attitude");
+  double const n = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  if (n > 0)
+    for (double& component : q) component /= n;
+}
+
 /// The rigid body as data. The standard values are the test of E. Hairer, G. Vilmart, J. Phys. A 39 (2006) 13225.
 inline SystemDescription describe_rigid_body() {
   return {"rigid_body",
@@ -146,7 +154,9 @@ inline SystemDescription describe_rigid_body() {
             "y - y*, and the rotation vector of q*^-1 q in the body frame (radians)"},
            {"phase", {"phase"}, "time", true, false, "by how much time the momentum runs ahead of the reference"}},
           {"y1", "y2", "y3", "q0", "q1", "q2", "q3"},
-          rigid_body_complaint};
+          true,
+          rigid_body_complaint,
+          normalise_attitude};
 }
 
 }  // namespace brouwer

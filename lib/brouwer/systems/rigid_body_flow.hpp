@@ -1,6 +1,7 @@
 #pragma once
 #include <brouwer/special/elliptic.hpp>
 #include <brouwer/systems/elliptic_attitude.hpp>
+#include <brouwer/systems/exact_flow.hpp>
 
 namespace brouwer {
 
@@ -79,6 +80,11 @@ class RigidBodyFlow {
   AttitudeFrame<T> frame_;
   bool resting_, periodic_ = false;
   T rate_, argument_{}, period_{}, angle_of_period_{};
+};
+
+template <Real T>
+struct ExactFlow<RigidBody<T>> {
+  using type = RigidBodyFlow<T>;
 };
 
 }  // namespace brouwer

@@ -1,0 +1,41 @@
+#pragma once
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <brouwer/ensemble/catalogue.hpp>
+#include <brouwer/error.hpp>
+#include <brouwer/scalar/float128.hpp>
+#include <brouwer/scalar/mpfr.hpp>
+
+namespace brouwer {
+
+/// A name for a scalar type.
+template <class T>
+struct NamedArithmetic {
+  using type = T;
+  char const* name;
+  char const* summary;
+};
+
+/// Calls visit(NamedArithmetic<T>) for every arithmetic of the catalogue: the table of scalars, written once.
+template <class Visit>
+void for_each_arithmetic(Visit visit) {
+  visit(NamedArithmetic<float>{"float", "IEEE binary32"});
+  visit(NamedArithmetic<double>{"double", "IEEE binary64"});
+  visit(NamedArithmetic<long double>{"long-double", "x87 extended: 80 bits with a significand of 64"});
+  visit(NamedArithmetic<Float128>{"float128", "IEEE binary128 in software (libquadmath)"});
+  visit(NamedArithmetic<Mpfr<128>>{"mpfr-128", "MPFR, every operation correctly rounded"});
+  visit(NamedArithmetic<Mpfr<256>>{"mpfr-256", "MPFR, every operation correctly rounded"});
+  visit(NamedArithmetic<Mpfr<512>>{"mpfr-512", "MPFR, every operation correctly rounded"});
+}
+
+/// Calls visit(NamedArithmetic<T>) for the arithmetic of that name; nothing happens where there is none.
+template <class Visit>
+void for_arithmetic(std::string const& name, Visit visit) {
+  for_each_arithmetic([&](auto arithmetic) {
+    if (name == arithmetic.name) visit(arithmetic);
+  });
+}
+
+}  // namespace brouwer

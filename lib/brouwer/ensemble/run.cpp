@@ -1,0 +1,89 @@
+#include <brouwer/ensemble/run.hpp>
+
+#include <omp.h>
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+
+#include <brouwer/error.hpp>
+#include <brouwer/store/file.hpp>
+#include <brouwer/store/folder.hpp>
+#include <brouwer/store/provenance.hpp>
+
+namespace brouwer {
+namespace {
+
+/// Is this unit there, whole, and this study's? A damaged file is said, not overwritten.
+bool finished(std::filesystem::path const& file, std::string const& hash) {
+  if (!std::filesystem::exists(file)) return false;
+  if (read_unit_header(file).study_hash == hash) return true;
+  throw RunError(file.string() + " belongs to another study: it is neither used nor overwritten");
+}
+
+/// Member-steps of a unit, with those of its reference.
+std::int64_t work_of(Study const& study, Catalogue const& catalogue, Plan const& plan, Unit const& unit) {
+  bool const compares = std::any_of(study.quantities.begin(), study.quantities.end(), [&](auto const& name) {
+    return catalogue.quantity(study.system, name).needs_reference;
+  });
+  bool const companion = compares && study.reference.kind == Reference::Kind::same_method;
+  return plan.cells[unit.cell].steps * (unit.members + (companion ? compared_members(study, unit) : 0));
+}
+
+/// The first failure of any thread, rethrown when all have left.
+class FirstFailure {
+ public:
+  void keep_current() {
+    std::lock_guard const lock(mutex_);
+    if (!failure_) failure_ = std::current_exception();
+    seen_ = true;
+  }
+  bool seen() const { return seen_; }
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::exception_ptr failure_;
+  std::atomic<bool> seen_ = false;
+};
+
+}  // namespace
+
+bool run(Study const& study, std::string const& study_text, Catalogue const& catalogue, Plan const& plan,
+         std::filesystem::path const& folder, RunOptions const& options, Progress& progress) {
+  int const threads = options.threads > 0 ? options.threads : omp_get_max_threads();
+  std::string const hash = study_hash(study);
+  create_result_folder(folder, hash, canonical_text(study), study_text, provenance(threads), plan.cells);
+
+  std::vector<Unit> missing;
+  for (auto const& unit : plan.units)
+    if (!finished(folder / unit.file, hash)) missing.push_back(unit);
+  progress.units_total = static_cast<std::int64_t>(plan.units.size());
+  progress.units_before = progress.units_total - static_cast<std::int64_t>(missing.size());
+  progress.steps_total = 0;
+  for (auto const& unit : missing) progress.steps_total += work_of(study, catalogue, plan, unit);
+
+  FirstFailure failure;
+  std::atomic<bool> const* stop = options.stop;
+  auto const leave = [&] { return failure.seen() || (stop != nullptr && *stop); };
+  auto const count = static_cast<std::int64_t>(missing.size());
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+  for (std::int64_t i = 0; i < count; ++i) {
+    if (leave()) continue;
+    try {
+      auto const& unit = missing[static_cast<std::size_t>(i)];
+      auto const outcome = compute_unit(study, catalogue, plan, unit, hash, progress, stop);
+      if (!outcome.finished) continue;
+      write_unit(folder / unit.file, outcome.record);
+      progress.units_done.fetch_add(1);
+    } catch (...) {
+      failure.keep_current();
+    }
+  }
+  failure.rethrow();
+  return progress.units_done == count;
+}
+
+}  // namespace brouwer

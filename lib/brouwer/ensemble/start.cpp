@@ -1,0 +1,121 @@
+#include <brouwer/ensemble/start.hpp>
+
+#include <Random123/philox.h>
+#include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include <brouwer/ensemble/arithmetics.hpp>
+#include <brouwer/error.hpp>
+
+namespace brouwer {
+namespace {
+
+/// Which random number: Philox is a function of its counter, so that a draw depends on nothing but this.
+struct Draw {
+  std::uint64_t seed, member;
+  std::uint64_t field;      ///< position of the field in the system's description
+  std::uint64_t component;  ///< of the field
+  std::uint64_t attempt;    ///< after how many refusals
+};
+
+/// U(0, 1), 53 bits, never 0 or 1. Philox 4×64-10: J. K. Salmon et al., SC11 (2011).
+double uniform(Draw const& draw) {
+  r123::Philox4x64 const philox;
+  auto const bits = philox({{draw.component, draw.field, draw.attempt, 0}}, {{draw.seed, draw.member}});
+  return (static_cast<double>(bits[0] >> 11) + 0.5) * 0x1p-53;
+}
+
+/// x moved by k representable numbers; the order of doubles is that of their bits, mirrored for negative ones.
+double moved_by_ulps(double x, std::int64_t k) {
+  auto const ordered = [](double v) {
+    auto const bits = std::bit_cast<std::int64_t>(v);
+    return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
+  };
+  std::int64_t const place = ordered(x) + k;
+  return std::bit_cast<double>(place < 0 ? std::numeric_limits<std::int64_t>::min() - place : place);
+}
+
+double perturbed(double x, Perturbation const& p, Draw const& draw) {
+  double const u = uniform(draw);
+  switch (p.law) {
+    case Perturbation::Law::uniform: return x + p.size * (2 * u - 1);
+    case Perturbation::Law::normal: return x + p.size * gsl_cdf_ugaussian_Pinv(u);
+    case Perturbation::Law::ulps: {
+      double const n = p.size;
+      return moved_by_ulps(x, std::min(static_cast<std::int64_t>(u * (2 * n + 1)), static_cast<std::int64_t>(2 * n)) -
+                                  static_cast<std::int64_t>(n));
+    }
+  }
+  return x;
+}
+
+FieldValues draw_values(Study const& study, SystemEntry const& system, std::int64_t member, std::uint64_t attempt) {
+  FieldValues values = study.values;
+  for (std::size_t f = 0; f < system.fields.size(); ++f) {
+    auto const found = study.perturb.find(system.fields[f].name);
+    if (found == study.perturb.end()) continue;
+    auto& numbers = values.at(system.fields[f].name);
+    for (std::size_t c = 0; c < numbers.size(); ++c)
+      numbers[c] = perturbed(numbers[c], found->second,
+                             {study.seed, static_cast<std::uint64_t>(member), f, c, attempt});
+  }
+  if (!study.perturb.empty() && system.project) system.project(values);
+  return values;
+}
+
+Start start_of(SystemEntry const& system, FieldValues const& values) {
+  Start start;
+  for (auto const& field : system.fields) {
+    auto const& numbers = values.at(field.name);
+    auto& part = field.parameter ? start.parameters : start.state;
+    part.insert(part.end(), numbers.begin(), numbers.end());
+  }
+  return start;
+}
+
+}  // namespace
+
+Start nominal_start(Study const& study, SystemEntry const& system) { return start_of(system, study.values); }
+
+Start member_start(Study const& study, SystemEntry const& system, std::int64_t member) {
+  constexpr std::uint64_t most_attempts = 1000;
+  std::string reason;
+  for (std::uint64_t attempt = 0; attempt < most_attempts; ++attempt) {
+    auto const values = draw_values(study, system, member, attempt);
+    auto const complaint = system.complaint(values);
+    if (!complaint) return start_of(system, values);
+    reason = *complaint;
+  }
+  throw InputError(fmt::format("the perturbation of member {} was refused {} times in a row ({}): make it smaller",
+                               member, most_attempts, reason));
+}
+
+double rounded_to(std::string const& arithmetic, double value) {
+  for_arithmetic(arithmetic, [&]<class T>(NamedArithmetic<T>) {
+    value = static_cast<double>(static_cast<T>(value));
+  });
+  return value;
+}
+
+Start rounded_to(std::string const& arithmetic, Start start) {
+  for (auto* part : {&start.parameters, &start.state})
+    for (double& value : *part) value = rounded_to(arithmetic, value);
+  return start;
+}
+
+std::unique_ptr<Trajectory> begin_trajectory(Catalogue const& catalogue, CellLabels const& cell, Start const& start,
+                                             bool attitude) {
+  auto trajectory = catalogue.method(cell.system, cell.method)
+                        .begin({cell.arithmetic, cell.special_functions, cell.compensation, attitude, cell.step,
+                                start.parameters, start.state});
+  if (!trajectory)
+    throw InputError(fmt::format("{} does not exist in {} with special functions '{}'", cell.method, cell.arithmetic,
+                                 cell.special_functions));
+  return trajectory;
+}
+
+}  // namespace brouwer

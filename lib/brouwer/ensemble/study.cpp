@@ -1,0 +1,70 @@
+#include <brouwer/ensemble/study.hpp>
+
+#include <fmt/format.h>
+
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/uuid_io.hpp>
+
+namespace brouwer {
+namespace {
+
+char const* name_of(Perturbation::Law law) {
+  switch (law) {
+    case Perturbation::Law::uniform: return "uniform";
+    case Perturbation::Law::normal: return "normal";
+    case Perturbation::Law::ulps: return "ulps";
+  }
+  return "?";
+}
+
+std::string text_of(Reference const& reference) {
+  switch (reference.kind) {
+    case Reference::Kind::none: return "none";
+    case Reference::Kind::exact: return fmt::format("exact, {} members", reference.members);
+    case Reference::Kind::same_method: return fmt::format("{}, {} members", reference.arithmetic, reference.members);
+  }
+  return "?";
+}
+
+/// Doubles in hexadecimal: equal texts mean equal bits.
+std::string list(std::vector<double> const& values) {
+  std::string text;
+  for (double value : values) text += fmt::format("{}{:a}", text.empty() ? "" : ", ", value);
+  return text;
+}
+
+}  // namespace
+
+std::string canonical_text(Study const& study) {
+  std::string text;
+  auto const line = [&text](std::string const& key, std::string const& value) {
+    text += fmt::format("{} = {}\n", key, value);
+  };
+  line("format", "brouwer study 1");
+  line("system", study.system);
+  for (auto const& [field, values] : study.values) line("system." + field, list(values));
+  line("methods", fmt::format("{}", fmt::join(study.methods, ", ")));
+  line("arithmetic", fmt::format("{}", fmt::join(study.arithmetics, ", ")));
+  line("special_functions", fmt::format("{}", fmt::join(study.special_functions, ", ")));
+  std::string compensation;
+  for (bool on : study.compensation) compensation += fmt::format("{}{}", compensation.empty() ? "" : ", ", on);
+  line("compensation", compensation);
+  line("step", list(study.step));
+  if (study.steps) line("steps", std::to_string(*study.steps));
+  if (study.until) line("until", list({*study.until}));
+  line("members", std::to_string(study.members));
+  line("seed", std::to_string(study.seed));
+  for (auto const& [field, p] : study.perturb) line("perturb." + field, fmt::format("{} {:a}", name_of(p.law), p.size));
+  line("quantities", fmt::format("{}", fmt::join(study.quantities, ", ")));
+  line("reference", text_of(study.reference));
+  line("samples", fmt::format("{}, {}", study.samples.count,
+                              study.samples.spacing == Samples::Spacing::log ? "log" : "linear"));
+  return text;
+}
+
+std::string study_hash(Study const& study) {
+  boost::uuids::name_generator_sha1 const generator(boost::uuids::ns::oid());
+  return to_string(generator(canonical_text(study)));
+}
+
+}  // namespace brouwer
