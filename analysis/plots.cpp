@@ -1,0 +1,67 @@
+#include "analysis/plots.hpp"
+
+#include <fmt/format.h>
+
+#include <brouwer/error.hpp>
+#include <brouwer/spelling.hpp>
+#include <fstream>
+
+#include "analysis/escape.hpp"
+#include "analysis/figure_family.hpp"
+#include "analysis/gnuplot.hpp"
+
+namespace brouwer {
+namespace {
+
+FigureFormat figure_format(std::string const& name) {
+  std::vector<std::string> names;
+  for (auto const format : {FigureFormat::svg, FigureFormat::png, FigureFormat::pdf}) {
+    if (name == extension(format)) return format;
+    names.push_back(extension(format));
+  }
+  throw InputError(fmt::format("there is no figure format '{}'{}", one_line(name), suggestion(name, names)));
+}
+
+void make_folder(std::filesystem::path const& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw RunError(fmt::format("cannot make the folder {} for figures: {}", folder.string(), error.message()));
+}
+
+void write_file(std::filesystem::path const& file, std::string const& content) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << content;
+  stream.close();
+  if (!stream) throw RunError(fmt::format("cannot write {}", file.string()));
+}
+
+std::vector<FigureSheet> sheets_of(Family const& family) {
+  std::vector<FigureSheet> sheets;
+  for (auto* const sheet : {growth_sheet, histogram_sheet, mean_sheet})
+    if (auto drawn = sheet(family); !drawn.panels.empty()) sheets.push_back(std::move(drawn));
+  return sheets;
+}
+
+void draw(FigureSheet const& sheet, FigureFormat format, std::filesystem::path const& folder, Figures& figures) {
+  std::string const script = sheet.stem + ".gp";
+  write_file(folder / sheet.data_file(), sheet.data);
+  write_file(folder / script, gnuplot_script(sheet, format));
+  if (auto const complaint = gnuplot_complaint(folder, script))
+    figures.note = fmt::format("{}; the scripts and data of the figures are in {}", *complaint, folder.string());
+  else
+    figures.files.push_back(folder / (sheet.stem + "." + extension(format)));
+}
+
+}  // namespace
+
+Figures draw_figures(std::vector<Estimates> const& estimates, std::vector<std::vector<double>> const& final_errors,
+                     std::filesystem::path const& folder, std::string const& format) {
+  auto const chosen = figure_format(format);
+  make_folder(folder);
+  Figures figures;
+  for (auto const& family : families(estimates, final_errors))
+    for (auto const& sheet : sheets_of(family)) draw(sheet, chosen, folder, figures);
+  return figures;
+}
+
+}  // namespace brouwer
