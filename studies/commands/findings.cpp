@@ -7,8 +7,8 @@
 
 #include "analysis/factors.hpp"
 #include "analysis/inference.hpp"
+#include "analysis/plots.hpp"
 #include "analysis/sweep.hpp"
-#include "analysis/tables.hpp"
 #include "studies/commands/commands.hpp"
 
 namespace brouwer {
@@ -22,6 +22,11 @@ std::vector<CellLabels> cells_of(std::vector<Estimates> const& rows) {
 
 }  // namespace
 
+std::vector<double> final_errors_of(Ensemble const& ensemble) {
+  auto const last = ensemble.errors.rightCols(1);
+  return {last.begin(), last.end()};
+}
+
 Findings::Findings(std::vector<std::string> const& folders, Levels const& levels) : levels_(levels) {
   for (auto const& folder : folders) results_.emplace_back(folder);
   for (std::size_t i = 0; i < results_.size(); ++i) analyse(i);
@@ -33,8 +38,10 @@ void Findings::analyse(std::size_t results) {
   for (std::size_t cell = 0; cell < stored.cells(); ++cell) {
     if (stored.finished_members(cell) == 0) continue;
     for (auto const& quantity : stored.quantities(cell)) {
-      rows_.push_back(estimate(stored.load(cell, quantity), levels_));
+      Ensemble const ensemble = stored.load(cell, quantity);
+      rows_.push_back(estimate(ensemble, levels_));
       places_.push_back({results, cell});
+      final_errors_.push_back(final_errors_of(ensemble));
     }
   }
 }
@@ -52,11 +59,10 @@ std::vector<Outcome> Findings::check(std::vector<Expectation> const& expectation
   return brouwer::check(expectations, rows_, sweep);
 }
 
-void print_findings(Findings const& findings) {
-  fmt::print("\n{}\n", render_table(findings.rows(), TableFormat::text));
-  auto const varying = varying_factors(cells_of(findings.rows()));
-  for (auto const& row : findings.rows())
-    fmt::print("{}, {}: {}\n", row.quantity, short_label(row.cell, varying), row.sentence);
+void print_verdicts(std::vector<Estimates> const& rows) {
+  auto const varying = varying_factors(cells_of(rows));
+  fmt::print("\n");
+  for (auto const& row : rows) fmt::print("{}, {}: {}\n", row.quantity, short_label(row.cell, varying), row.sentence);
 }
 
 void print_outcomes(std::vector<Outcome> const& outcomes, std::vector<std::string> const& unjudged) {
@@ -65,6 +71,13 @@ void print_outcomes(std::vector<Outcome> const& outcomes, std::vector<std::strin
   for (auto const& outcome : outcomes)
     fmt::print("  {}  {}\n        found {}\n", outcome.passed ? "PASS" : "FAIL", outcome.claim, outcome.found);
   for (auto const& sentence : unjudged) fmt::print("  not judged: {}\n", sentence);
+}
+
+void draw_and_say(std::vector<Estimates> const& rows, std::vector<std::vector<double>> const& final_errors,
+                  std::filesystem::path const& folder, std::string const& format) {
+  auto const figures = draw_figures(rows, final_errors, folder, format);
+  fmt::print(stderr, "{} figures in {}\n", figures.files.size(), folder.string());
+  if (!figures.note.empty()) fmt::print(stderr, "brouwer: {}\n", figures.note);
 }
 
 int exit_status(std::vector<Outcome> const& outcomes) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <brouwer/store/results.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ class Findings {
   Findings(std::vector<std::string> const& folders, Levels const& levels);
 
   std::vector<Estimates> const& rows() const { return rows_; }
+  /// Of each row, the members' errors at the last sample.
+  std::vector<std::vector<double>> const& final_errors() const { return final_errors_; }
   Ensemble ensemble(std::size_t row) const;
 
   std::vector<Outcome> check(std::vector<Expectation> const& expectations) const;
@@ -29,11 +32,18 @@ class Findings {
   std::vector<Results> results_;
   std::vector<Estimates> rows_;
   std::vector<Place> places_;  // of each row
+  std::vector<std::vector<double>> final_errors_;
 };
 
-/// Rows, verdicts and outcomes on standard output, for people.
-void print_findings(Findings const& findings);
+std::vector<double> final_errors_of(Ensemble const& ensemble);
+
+/// The verdict of each row, a sentence each, and the outcomes, on standard output.
+void print_verdicts(std::vector<Estimates> const& rows);
 void print_outcomes(std::vector<Outcome> const& outcomes, std::vector<std::string> const& unjudged);
+
+/// Draws the figures and says where they are, or why not, on standard error.
+void draw_and_say(std::vector<Estimates> const& rows, std::vector<std::vector<double>> const& final_errors,
+                  std::filesystem::path const& folder, std::string const& format);
 
 /// `done` where all have passed, otherwise `expectation_failed`.
 int exit_status(std::vector<Outcome> const& outcomes);

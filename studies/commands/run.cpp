@@ -1,0 +1,25 @@
+#include <fmt/format.h>
+
+#include "analysis/tables.hpp"
+#include "studies/commands/commands.hpp"
+#include "studies/commands/findings.hpp"
+#include "studies/commands/run_study.hpp"
+
+namespace brouwer {
+
+int run(RunCommand const& command, Catalogue const& catalogue) {
+  StudyFile const file = read_study(command.study, catalogue, command.settings.overrides);
+  auto const folder = result_folder(file, command.settings);
+  print_study(file, catalogue, folder);
+  if (!run_missing(file, catalogue, folder, command.settings.threads)) return interrupted;
+  Findings const findings({folder.string()}, command.settings.levels);
+  fmt::print("\n{}", render_table(findings.rows(), TableFormat::text));
+  print_verdicts(findings.rows());
+  auto const outcomes = findings.check(file.expectations);
+  print_outcomes(outcomes, file.unjudged);
+  std::fflush(stdout);
+  if (!command.no_figures) draw_and_say(findings.rows(), findings.final_errors(), folder / "figures", "svg");
+  return exit_status(outcomes);
+}
+
+}  // namespace brouwer
