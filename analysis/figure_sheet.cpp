@@ -102,7 +102,7 @@ std::string plotted(std::vector<std::string> const& curves) {
 std::string panel_script(Panel const& panel, Geometry const& g, int index) {
   int const left = g.panel_left(index % g.columns), top = g.panel_top(index / g.columns);
   bool const two_lines = !panel.subtitle.empty();
-  std::string text = "\n" + box(g, left, top, g.panel_width, g.panel_height);
+  std::string text = box(g, left, top, g.panel_width, g.panel_height);
   text += label(panel.title, g.x(left), g.y(top + (two_lines ? 26 : 10)), "left " + g.font(11));
   if (two_lines)
     text += label(panel.subtitle, g.x(left), g.y(top + 9), "left " + g.font(10) + " textcolor rgb '#555555'");
@@ -136,7 +136,8 @@ std::string gnuplot_script(FigureSheet const& sheet, FigureFormat format) {
           "; set grid lc rgb '#e4e4e4' lt 1\n" +
           "set style fill transparent solid 0.18 noborder; set pointsize 0.55; unset key\nset multiplot\n" +
           head(sheet, g);
-  for (std::size_t i = 0; i < sheet.panels.size(); ++i) text += panel_script(sheet.panels[i], g, static_cast<int>(i));
+  for (std::size_t i = 0; i < sheet.panels.size(); ++i)
+    text += '\n' + panel_script(sheet.panels[i], g, static_cast<int>(i));
   return text + legend_script(sheet, g) + "unset multiplot\nunset output\n";
 }
 

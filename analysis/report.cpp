@@ -24,7 +24,7 @@ std::string text_element(char const* name, std::string const& text) {
 }
 
 std::string section(char const* heading, std::string const& inside) {
-  return inside.empty() ? "" : element("section", "\n" + text_element("h2", heading) + inside);
+  return inside.empty() ? "" : fmt::format("<section>\n{}{}</section>\n", text_element("h2", heading), inside);
 }
 
 // --- the head of the page -------------------------------------------------------------------------
@@ -40,8 +40,8 @@ std::string summary(std::vector<Outcome> const& outcomes) {
 std::string page_header(ReportContent const& content) {
   std::string const heading = content.question.empty() ? content.title : content.question;
   std::string const above = content.question.empty() ? "" : "<p class=\"title\">" + xml_text(content.title) + "</p>\n";
-  return element("header", "\n" + above + text_element("h1", heading) + text_element("cite", content.source) +
-                               summary(content.outcomes));
+  return element(
+      "header", above + text_element("h1", heading) + text_element("cite", content.source) + summary(content.outcomes));
 }
 
 // --- verdicts and expectations --------------------------------------------------------------------
@@ -136,8 +136,8 @@ std::string inlined(std::string svg, std::size_t index) {
 std::string figures(ReportContent const& content) {
   std::string text;
   for (std::size_t i = 0; i < content.figures.size(); ++i)
-    text += element("figure",
-                    "\n" + inlined(content.figures[i].svg, i) + text_element("figcaption", content.figures[i].caption));
+    text +=
+        element("figure", inlined(content.figures[i].svg, i) + text_element("figcaption", content.figures[i].caption));
   return text + text_element("p", content.note);
 }
 
@@ -146,7 +146,7 @@ std::string figures(ReportContent const& content) {
 std::string run(ReportContent const& content) {
   std::string list;
   for (auto const& [name, value] : content.run) list += text_element("dt", name) + text_element("dd", value);
-  return list.empty() ? "" : element("dl", "\n" + list);
+  return list.empty() ? "" : element("dl", list);
 }
 
 std::string folded(char const* name, std::string const& text) {
