@@ -40,6 +40,8 @@ double student_upper_quantile(double tail, double dof) {
   return dof >= 1 ? gsl_cdf_tdist_Qinv(tail, dof) : undefined;
 }
 
+double normal_upper_quantile(double tail) { return gsl_cdf_ugaussian_Qinv(tail); }
+
 double fisher_upper(double F, double m, double n) {
   keep_gsl_calm();
   if (std::isnan(F) || !(m >= 1) || !(n >= 1)) return undefined;

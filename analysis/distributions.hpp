@@ -13,6 +13,9 @@ double student_two_sided(double t, double dof);
 /// The t that is exceeded with probability `tail`, 0 < tail < 1.
 double student_upper_quantile(double tail, double dof);
 
+/// The same of the normal law N(0, 1).
+double normal_upper_quantile(double tail);
+
 /// P(F' ≥ F) and P(F' ≤ F) for Fisher's F(m, n), each accurate in its own tail.
 double fisher_upper(double F, double m, double n);
 double fisher_lower(double F, double m, double n);

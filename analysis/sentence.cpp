@@ -49,7 +49,7 @@ std::string exponent(Estimates const& e) {
                      decimal(e.growth.interval.high));
 }
 
-std::string t_test(Estimates const& e) { return fmt::format("t = {}, {}", brief(e.drift.t), p_value(e.drift.p)); }
+std::string t_test(Estimates const& e) { return fmt::format("t = {}, {}", number(e.drift.t, 3), p_value(e.drift.p)); }
 
 std::string diffusion(Estimates const& e) {
   return with_interval(e.diffusion.per_sqrt_step, e.diffusion.interval, per_root(e), e) + ")";

@@ -1,0 +1,129 @@
+// Simulated ensembles with known β, τ, σ: intervals cover as often as they say, tests cry wolf as rarely as they say,
+// and the verdict finds the right word. Seeds are fixed; bounds are four standard errors of the binomial law.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analysis/inference.hpp"
+#include "tests/analysis/simulated.hpp"
+
+namespace brouwer {
+namespace {
+
+constexpr double sigma = 2e-16;
+
+void expect_binomial(int count, int trials, double probability) {
+  double const error = std::sqrt(trials * probability * (1 - probability));
+  EXPECT_NEAR(count, trials * probability, 4 * error) << "of " << trials;
+}
+
+bool covers(Interval interval, double truth) { return interval.low <= truth && truth <= interval.high; }
+
+/// How often something was so, over ensembles of one law.
+struct Tally {
+  int trials = 0, beta_covered = 0, sigma_covered = 0, exponent_covered = 0, drift_seen = 0, slopes_seen = 0, F_low = 0;
+};
+
+Tally tally(Law const& law, int members, std::vector<double> const& times, Levels const& levels, int trials) {
+  Tally count{trials};
+  Normal normal(static_cast<unsigned long>(members));
+  for (int k = 0; k < trials; ++k) {
+    auto const e = estimate(simulated(law, members, times, normal), levels);
+    count.beta_covered += covers(e.drift.interval, law.drift);
+    count.sigma_covered += covers(e.diffusion.interval, law.diffusion);
+    count.exponent_covered += covers(e.growth.interval, 0.5);
+    count.drift_seen += e.drift.p < levels.test;
+    count.slopes_seen += e.persistence.p < levels.test;
+    count.F_low += e.persistence.p_low < levels.test;
+  }
+  return count;
+}
+
+class EnsembleSize : public testing::TestWithParam<int> {};
+
+TEST_P(EnsembleSize, IntervalsCoverAndTestsKeepTheirLevelUnderAWalk) {
+  Levels const levels{.confidence = 0.95, .test = 0.05, .power = 0.9};
+  auto const count = tally({.diffusion = sigma}, GetParam(), log_spaced(16, 1e4), levels, 600);
+  expect_binomial(count.beta_covered, count.trials, 0.95);
+  expect_binomial(count.sigma_covered, count.trials, 0.95);
+  expect_binomial(count.exponent_covered, count.trials, 0.95);
+  expect_binomial(count.drift_seen, count.trials, 0.05);
+  expect_binomial(count.slopes_seen, count.trials, 0.05);
+  expect_binomial(count.F_low, count.trials, 0.05);
+}
+INSTANTIATE_TEST_SUITE_P(Members, EnsembleSize, testing::Values(4, 16, 64));
+
+TEST(Calibration, DriftKeepsItsCoverageBesidePersistentSlopes) {
+  Levels const levels{.confidence = 0.9, .test = 0.01, .power = 0.9};
+  Law const law{.drift = 1e-17, .persistence = 5e-18, .diffusion = sigma};
+  auto const count = tally(law, 16, log_spaced(16, 1e4), levels, 1000);
+  expect_binomial(count.beta_covered, count.trials, 0.9);
+  expect_binomial(count.sigma_covered, count.trials, 0.9);
+}
+
+TEST(Calibration, TheStrictLevelIsKept) {
+  Levels const levels{.confidence = 0.95, .test = 0.001, .power = 0.9};
+  auto const count = tally({.diffusion = sigma}, 8, log_spaced(8, 1e4), levels, 5000);
+  expect_binomial(count.drift_seen, count.trials, 0.001);
+  expect_binomial(count.slopes_seen, count.trials, 0.001);
+}
+
+class SmallestVisibleDrift : public testing::TestWithParam<int> {};
+
+TEST_P(SmallestVisibleDrift, IsSeenWithTheStatedChance) {
+  // The drift that is the smallest visible one when the spread of slopes is what σ alone gives
+  auto const times = log_spaced(8, 1e4);
+  int const members = GetParam();
+  auto reference = estimate(simulated({.diffusion = sigma}, members, times, 1ul), {});
+  double const sd = sigma / std::sqrt(times.back());
+  double const estimated_sd = std::abs(reference.drift.per_step / reference.drift.t) * std::sqrt(members);
+  double const drift = reference.smallest_visible_drift * sd / estimated_sd;
+  auto const count = tally({.drift = drift, .diffusion = sigma}, members, times, {}, 1000);
+  EXPECT_NEAR(count.drift_seen / 1000., 0.9, 0.03);
+}
+INSTANTIATE_TEST_SUITE_P(Members, SmallestVisibleDrift, testing::Values(4, 8, 16, 64));
+
+TEST(Calibration, EffectSizesAreRecovered) {
+  Law const law{.drift = 2e-17, .persistence = 5e-18, .diffusion = sigma};
+  auto const e = estimate(simulated(law, 4000, log_spaced(16, 1e4), 21ul), {});
+  EXPECT_NEAR(e.drift.per_step / law.drift, 1, 0.02);
+  EXPECT_NEAR(e.persistence.per_step / law.persistence, 1, 0.05);
+  EXPECT_NEAR(e.diffusion.per_sqrt_step / law.diffusion, 1, 0.02);
+  double const T = 1e4;
+  double const rms = std::hypot(law.drift * T, law.persistence * T, sigma * std::sqrt(T));
+  EXPECT_NEAR(e.drift.share, law.drift * T / rms, 0.02);
+}
+
+struct Case {
+  char const* name;
+  Law law;
+  Verdict verdict;
+};
+void PrintTo(Case const& c, std::ostream* out) { *out << c.name; }
+
+class ConfusionTable : public testing::TestWithParam<Case> {};
+
+TEST_P(ConfusionTable, TheRightWordIsFoundNineteenTimesInTwenty) {
+  constexpr int trials = 60;
+  int right = 0;
+  Normal normal(2008);
+  for (int k = 0; k < trials; ++k)
+    right += estimate(simulated(GetParam().law, 64, log_spaced(32, 1e5), normal), {}).verdict == GetParam().verdict;
+  EXPECT_GE(right, 57);
+}
+// At t = 10⁵ the walk alone has spread to 6.3e-14.
+INSTANTIATE_TEST_SUITE_P(
+    Laws, ConfusionTable,
+    testing::Values(
+        Case{"walk", {.diffusion = sigma}, Verdict::random_walk},
+        Case{"slopes", {.persistence = 2e-18, .diffusion = sigma}, Verdict::persistent_slopes},
+        Case{"drift", {.drift = 6e-19, .diffusion = sigma}, Verdict::drift},
+        Case{"strong_drift", {.drift = 2e-17, .diffusion = sigma}, Verdict::drift},
+        Case{"bounded", {.noise = 1e-16}, Verdict::bounded},
+        Case{"phase_of_a_walk", {.diffusion = sigma, .phase = true}, Verdict::faster_than_drift},
+        Case{"phase_of_a_drift", {.drift = 2e-17, .diffusion = sigma, .phase = true}, Verdict::faster_than_drift},
+        Case{"walk_out_of_noise", {.diffusion = sigma, .noise = 3e-14}, Verdict::not_resolved}),
+    [](auto const& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace brouwer
