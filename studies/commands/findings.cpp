@@ -23,8 +23,10 @@ std::vector<CellLabels> cells_of(std::vector<Estimates> const& rows) {
 }  // namespace
 
 std::vector<double> final_errors_of(Ensemble const& ensemble) {
-  auto const last = ensemble.errors.rightCols(1);
-  return {last.begin(), last.end()};
+  std::vector<double> last;
+  for (Eigen::Index member = 0; member < ensemble.errors.rows(); ++member)
+    last.push_back(ensemble.errors(member, ensemble.errors.cols() - 1));
+  return last;
 }
 
 Findings::Findings(std::vector<std::string> const& folders, Levels const& levels) : levels_(levels) {
