@@ -1,13 +1,13 @@
 #include "analysis/confront.hpp"
 
 #include <fmt/format.h>
-#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "analysis/factors.hpp"
+#include "analysis/inference.hpp"
 #include "analysis/numbers.hpp"
 
 namespace brouwer {
@@ -23,13 +23,15 @@ struct Test {
 
 std::string probability(double p) { return p < 1e-300 ? "p < 1e-300" : "p = " + number(p, 2); }
 
-/// The smallest visible drift is stated at Levels::test; at another level it goes with z(a/2) + z(b) (FORMULAS §7).
+/// The estimates state it at Levels::test; at another level it goes with the noncentrality that is seen there.
 double smallest_visible_drift(Test const& test) {
-  auto const quantiles = [&](double a) {
-    return gsl_cdf_ugaussian_Qinv(a / 2) + gsl_cdf_ugaussian_Pinv(test.row.levels.power);
+  auto const visible = [&](double level) {
+    Levels levels = test.row.levels;
+    levels.test = level;
+    return visible_noncentrality(static_cast<double>(test.row.members - 1), levels);
   };
   double const own = test.level(), stated = test.row.levels.test;
-  return test.row.smallest_visible_drift * (own == stated ? 1 : quantiles(own) / quantiles(stated));
+  return test.row.smallest_visible_drift * (own == stated ? 1 : visible(own) / visible(stated));
 }
 
 std::string drift_found(Test const& test) {

@@ -97,14 +97,6 @@ Diffusion diffusion_of(Sufficient const& s, Units const& units, Levels const& le
   return {units.sqrt_rate(std::sqrt(s.sigma2)), units.sqrt_rate(sigma)};
 }
 
-/// The noncentrality at which |t| exceeds its critical value with the chance `power`: Student's noncentral t in the
-/// normal approximation [Abramowitz & Stegun 26.7.10], solved for it.
-double visible_noncentrality(double dof, Levels const& levels) {
-  double const critical = student_upper_quantile(levels.test / 2, dof);
-  double const z = normal_upper_quantile(1 - levels.power);
-  return critical * (1 - 1 / (4 * dof)) + z * std::sqrt(1 + critical * critical / (2 * dof));
-}
-
 double smallest_visible_drift(Sufficient const& s, Units const& units, Levels const& levels) {
   return units.rate(s.standard_error() * visible_noncentrality(s.members - 1, levels));
 }
@@ -152,6 +144,12 @@ void require_shape(Ensemble const& ensemble) {
 }
 
 }  // namespace
+
+double visible_noncentrality(double dof, Levels const& levels) {
+  double const critical = student_upper_quantile(levels.test / 2, dof);
+  double const z = normal_upper_quantile(1 - levels.power);
+  return critical * (1 - 1 / (4 * dof)) + z * std::sqrt(1 + critical * critical / (2 * dof));
+}
 
 Estimates estimate(Ensemble const& ensemble, Levels const& levels) {
   require_shape(ensemble);

@@ -33,4 +33,8 @@ namespace brouwer {
 /// @throws InputError if there is no member or no sample time
 Estimates estimate(Ensemble const& ensemble, Levels const& levels);
 
+/// The noncentrality at which |t| exceeds its critical value with the chance `power`: Student's noncentral t in the
+/// normal approximation [Abramowitz & Stegun 26.7.10], solved for it; the δ above, of M−1 = `dof`.
+double visible_noncentrality(double dof, Levels const& levels);
+
 }  // namespace brouwer
