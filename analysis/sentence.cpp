@@ -145,6 +145,11 @@ std::string obstacle(Estimates const& e) {
 
 std::string unresolved_sentence(Estimates const& e) { return obstacle(e) + (e.members < 2 ? "" : "; " + no_drift(e)); }
 
+/// A verdict speaks of those that came through; that there were others must be said.
+std::string failures(Estimates const& e) {
+  return e.failed > 0 ? fmt::format("; {} of {} members failed and are left out", e.failed, e.members + e.failed) : "";
+}
+
 std::string body(Estimates const& e, Verdict verdict) {
   switch (verdict) {
     case Verdict::exact:
@@ -173,7 +178,7 @@ std::string capitalised(std::string text) {
 }  // namespace
 
 std::string sentence_of(Estimates const& e, Verdict verdict) {
-  return capitalised(to_string(verdict)) + ": " + body(e, verdict) + "; " + visible(e) + ".";
+  return capitalised(to_string(verdict)) + ": " + body(e, verdict) + "; " + visible(e) + failures(e) + ".";
 }
 
 }  // namespace brouwer

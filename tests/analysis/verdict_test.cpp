@@ -175,6 +175,12 @@ TEST(Sentence, OfADriftGivesItsIntervalTestAndShare) {
       "2.00e-16); the smallest drift this ensemble could have seen is 6.0e-19 per step (level 0.001, chance 0.9).");
 }
 
+TEST(Sentence, SaysThatMembersFailed) {
+  auto e = walk();
+  e.failed = 3;
+  EXPECT_THAT(sentence_of(e, Verdict::random_walk), testing::EndsWith("; 3 of 67 members failed and are left out."));
+}
+
 TEST(Sentence, SpeaksOfTheUnitOfTimeThatTheEnsembleHas) {
   auto e = walk();
   e.time_unit = "time unit";
