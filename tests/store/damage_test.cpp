@@ -1,10 +1,10 @@
 // Whatever happens to a unit's file, reading it gives the same record or a sentence; never a crash or a wrong number.
+#include <fstream>
 #include <gmock/gmock.h>
 
 #include <brouwer/error.hpp>
 #include <brouwer/store/hdf5.hpp>
 #include <brouwer/store/whole_file.hpp>
-#include <fstream>
 
 #include "tests/store/sample_unit.hpp"
 

@@ -1,11 +1,12 @@
 // A result folder belongs to one study, is made whole or taken up, and nothing foreign is touched.
+#include <brouwer/store/folder.hpp>
+
+#include <fstream>
 #include <gmock/gmock.h>
 
 #include <brouwer/error.hpp>
-#include <brouwer/store/folder.hpp>
 #include <brouwer/store/plan_text.hpp>
 #include <brouwer/store/whole_file.hpp>
-#include <fstream>
 
 #include "tests/store/sample_unit.hpp"
 

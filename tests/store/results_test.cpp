@@ -1,8 +1,9 @@
 // What the statistics see of a result folder: all finished members, in order, and nothing of doubtful origin.
+#include <brouwer/store/results.hpp>
+
 #include <gmock/gmock.h>
 
 #include <brouwer/error.hpp>
-#include <brouwer/store/results.hpp>
 #include <brouwer/store/whole_file.hpp>
 
 #include "tests/store/sample_unit.hpp"

@@ -1,16 +1,16 @@
 #pragma once
 // A small unit for the store's tests, in which every number is different, and a folder that goes with its test.
-#include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <brouwer/store/file.hpp>
-#include <brouwer/store/folder.hpp>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <gtest/gtest.h>
 #include <limits>
 #include <string>
+#include <unistd.h>
 #include <vector>
+
+#include <brouwer/store/file.hpp>
+#include <brouwer/store/folder.hpp>
 
 namespace brouwer {
 

@@ -1,10 +1,10 @@
 // A unit comes back from its file bit for bit, and the same unit is the same file.
+#include <cstdlib>
 #include <gmock/gmock.h>
+#include <thread>
 
 #include <brouwer/error.hpp>
 #include <brouwer/store/whole_file.hpp>
-#include <cstdlib>
-#include <thread>
 
 #include "tests/store/sample_unit.hpp"
 

@@ -1,14 +1,15 @@
 // A file is there whole or as it was, and killed writers leave nothing for long.
+#include <brouwer/store/whole_file.hpp>
+
+#include <csignal>
 #include <fcntl.h>
+#include <fstream>
 #include <gmock/gmock.h>
 #include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <brouwer/error.hpp>
-#include <brouwer/store/whole_file.hpp>
-#include <csignal>
-#include <fstream>
 
 #include "tests/store/sample_unit.hpp"
 

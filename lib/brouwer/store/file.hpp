@@ -1,8 +1,9 @@
 #pragma once
-#include <brouwer/store/record.hpp>
 #include <filesystem>
 #include <span>
 #include <string>
+
+#include <brouwer/store/record.hpp>
 
 namespace brouwer {
 

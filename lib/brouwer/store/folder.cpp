@@ -1,11 +1,12 @@
+#include <brouwer/store/folder.hpp>
+
 #include <fmt/format.h>
+#include <system_error>
 #include <unistd.h>
 
 #include <brouwer/error.hpp>
-#include <brouwer/store/folder.hpp>
 #include <brouwer/store/plan_text.hpp>
 #include <brouwer/store/whole_file.hpp>
-#include <system_error>
 
 namespace brouwer {
 namespace {

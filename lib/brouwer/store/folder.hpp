@@ -1,11 +1,12 @@
 #pragma once
-#include <brouwer/store/provenance.hpp>
-#include <brouwer/store/record.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <brouwer/store/provenance.hpp>
+#include <brouwer/store/record.hpp>
 
 namespace brouwer {
 

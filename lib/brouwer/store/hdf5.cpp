@@ -1,7 +1,7 @@
-#include <zlib.h>
+#include <brouwer/store/hdf5.hpp>
 
 #include <algorithm>
-#include <brouwer/store/hdf5.hpp>
+#include <zlib.h>
 
 namespace brouwer::hdf5 {
 namespace {

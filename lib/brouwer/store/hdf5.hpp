@@ -1,10 +1,9 @@
 #pragma once
 // A thin layer over HDF5's C interface, for the store alone: handles that close themselves, failures as
 // exceptions, and the few kinds of attributes and data sets that a unit file is made of.
-#include <hdf5.h>
-
 #include <bit>
 #include <cstdint>
+#include <hdf5.h>
 #include <mutex>
 #include <span>
 #include <stdexcept>

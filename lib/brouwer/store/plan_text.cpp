@@ -1,10 +1,10 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <brouwer/store/plan_text.hpp>
 
 #include <algorithm>
-#include <brouwer/store/plan_text.hpp>
 #include <charconv>
 #include <cstdlib>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <map>
 #include <sstream>
 #include <stdexcept>

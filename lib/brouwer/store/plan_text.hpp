@@ -1,6 +1,7 @@
 #pragma once
-#include <brouwer/store/folder.hpp>
 #include <string>
+
+#include <brouwer/store/folder.hpp>
 
 namespace brouwer {
 

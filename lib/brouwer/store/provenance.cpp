@@ -1,19 +1,20 @@
+#include <brouwer/store/provenance.hpp>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <boost/version.hpp>
+#include <ctime>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <fstream>
 #include <gnu/libc-version.h>
 #include <gsl/gsl_version.h>
 #include <mpfr.h>
 #include <sys/utsname.h>
 #include <zlib.h>
 
-#include <Eigen/Core>
-#include <algorithm>
-#include <boost/version.hpp>
 #include <brouwer/store/hdf5.hpp>
-#include <brouwer/store/provenance.hpp>
-#include <ctime>
-#include <fstream>
 
 namespace brouwer {
 namespace {

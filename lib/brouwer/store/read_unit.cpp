@@ -1,9 +1,10 @@
 #include <algorithm>
+#include <functional>
+
 #include <brouwer/error.hpp>
 #include <brouwer/store/file.hpp>
 #include <brouwer/store/hdf5.hpp>
 #include <brouwer/store/unit_layout.hpp>
-#include <functional>
 
 namespace brouwer {
 namespace {

@@ -1,14 +1,15 @@
-#include <fmt/format.h>
+#include <brouwer/store/results.hpp>
 
 #include <algorithm>
+#include <fmt/format.h>
+#include <span>
+#include <system_error>
+
 #include <brouwer/error.hpp>
 #include <brouwer/spelling.hpp>
 #include <brouwer/store/file.hpp>
 #include <brouwer/store/folder.hpp>
-#include <brouwer/store/results.hpp>
 #include <brouwer/store/whole_file.hpp>
-#include <span>
-#include <system_error>
 
 namespace brouwer {
 namespace {

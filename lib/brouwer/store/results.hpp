@@ -1,10 +1,11 @@
 #pragma once
 #include <Eigen/Core>
-#include <brouwer/store/record.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include <brouwer/store/record.hpp>
 
 namespace brouwer {
 

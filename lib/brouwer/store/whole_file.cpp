@@ -1,17 +1,18 @@
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <brouwer/store/whole_file.hpp>
 
 #include <atomic>
-#include <brouwer/error.hpp>
-#include <brouwer/store/whole_file.hpp>
 #include <cerrno>
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <fstream>
 #include <sstream>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <system_error>
+#include <unistd.h>
 #include <utility>
+
+#include <brouwer/error.hpp>
 
 namespace brouwer {
 namespace {

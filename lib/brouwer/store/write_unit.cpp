@@ -1,13 +1,13 @@
 #include <hdf5_hl.h>  // H5DS: dimension scales
+#include <map>
+#include <numeric>
+#include <stdexcept>
 
 #include <brouwer/error.hpp>
 #include <brouwer/store/file.hpp>
 #include <brouwer/store/hdf5.hpp>
 #include <brouwer/store/unit_layout.hpp>
 #include <brouwer/store/whole_file.hpp>
-#include <map>
-#include <numeric>
-#include <stdexcept>
 
 namespace brouwer {
 namespace {
