@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <brouwer/error.hpp>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
 #include <new>
+#include <system_error>
 
 #include "studies/commands/command_line.hpp"
 
@@ -37,9 +41,7 @@ int parse_and_carry_out(int argc, char const* const* argv, Catalogue const& cata
   return command_line.carry_out(catalogue);
 }
 
-}  // namespace
-
-int program(int argc, char const* const* argv, Catalogue const& catalogue) {
+int guarded(int argc, char const* const* argv, Catalogue const& catalogue) {
   try {
     return parse_and_carry_out(argc, argv, catalogue);
   } catch (InputError const& error) {
@@ -48,9 +50,24 @@ int program(int argc, char const* const* argv, Catalogue const& catalogue) {
     return failed(run_failed, error.what());
   } catch (std::bad_alloc const&) {
     return failed(run_failed, "there is not enough memory");
-  } catch (std::exception const& error) {  // of the file system, for instance
+  } catch (std::system_error const& error) {
+    return error.code().value() == EPIPE ? done : failed(run_failed, error.what());  // | head has read enough
+  } catch (std::exception const& error) {
     return failed(run_failed, error.what());
   }
+}
+
+/// What is still in the buffer may not fit on a full disk.
+int flushed(int status) {
+  if (std::fflush(stdout) == 0 || errno == EPIPE || status != done) return status;
+  return failed(run_failed, fmt::format("standard output cannot be written ({})", std::strerror(errno)));
+}
+
+}  // namespace
+
+int program(int argc, char const* const* argv, Catalogue const& catalogue) {
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is then an error of writing, and ends quietly
+  return flushed(guarded(argc, argv, catalogue));
 }
 
 }  // namespace brouwer

@@ -1,24 +1,15 @@
 #include <fmt/format.h>
 
 #include <brouwer/error.hpp>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 
 #include "analysis/junit.hpp"
 #include "studies/commands/commands.hpp"
 #include "studies/commands/findings.hpp"
 #include "studies/commands/run_study.hpp"
+#include "studies/commands/text_file.hpp"
 
 namespace brouwer {
 namespace {
-
-void write_junit(std::string const& file, std::string const& suite, std::vector<Outcome> const& outcomes) {
-  if (file.empty()) return;
-  std::ofstream stream(file);
-  stream << to_junit(suite, outcomes) << std::flush;
-  if (!stream) throw RunError(fmt::format("{}: cannot be written ({})", file, std::strerror(errno)));
-}
 
 /// A study file is run as far as it is missing; a folder is judged as it is. Nothing: interrupted.
 std::optional<std::filesystem::path> results_of(StudyFile const& file, CheckCommand const& command,
@@ -52,7 +43,7 @@ int check(CheckCommand const& command, Catalogue const& catalogue) {
   if (!folder) return interrupted;
   auto const outcomes = Findings({folder->string()}, command.settings.levels).check(file.expectations);
   print_outcomes(outcomes, file.unjudged);
-  write_junit(command.junit, file.study.name, outcomes);
+  if (!command.junit.empty()) write_text(command.junit, to_junit(file.study.name, outcomes));
   return exit_status(outcomes);
 }
 

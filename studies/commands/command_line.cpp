@@ -153,8 +153,7 @@ void CommandLine::add_plot() {
 }
 
 void CommandLine::add_report() {
-  auto [app, command] = add<ReportCommand>("report", "one self-contained page of results",
-                                           [](ReportCommand const& c, Catalogue const&) { return report(c); });
+  auto [app, command] = add<ReportCommand>("report", "one self-contained page of results", report);
   app->add_option("result", command->result, "result folder")->type_name("RESULT")->required();
   app->add_option("-o,--output", command->file, "the page (default: RESULT/report.html)")->type_name("FILE");
   add_levels(*app, command->levels);

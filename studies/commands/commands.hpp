@@ -83,7 +83,7 @@ int run(RunCommand const& command, Catalogue const& catalogue);
 int plan(PlanCommand const& command, Catalogue const& catalogue);
 int table(TableCommand const& command);
 int plot(PlotCommand const& command);
-int report(ReportCommand const& command);
+int report(ReportCommand const& command, Catalogue const& catalogue);
 int check(CheckCommand const& command, Catalogue const& catalogue);
 int fit(FitCommand const& command);
 int integrate(IntegrateCommand const& command, Catalogue const& catalogue);

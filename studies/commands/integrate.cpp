@@ -38,7 +38,7 @@ class Tracer {
   Tracer(IntegrateCommand const& command, Catalogue const& catalogue, CellLabels const& cell)
       : hexadecimal_(command.hexadecimal),
         digits_(digits_for(catalogue.arithmetic(cell.arithmetic).bits)),
-        step_(cell.step),
+        step_(rounded_to(cell.arithmetic, cell.step)),
         integral_names_(integral_names(catalogue.system(cell.system))),
         state_(catalogue.system(cell.system).state_components.size()),
         integrals_(integral_names_.size()) {}
@@ -52,7 +52,7 @@ class Tracer {
     trajectory.first_integrals(integrals_);
     std::string text = written(Widest(step_) * steps);
     for (auto const* values : {&state_, &integrals_})
-      for (auto const& value : *values) text += "," + written(value);
+      for (auto const& value : *values) text.append(",").append(written(value));
     fmt::print("{}\n", text);
   }
 
@@ -88,7 +88,8 @@ int integrate(IntegrateCommand const& command, Catalogue const& catalogue) {
   StudyFile const file = read_study(command.study, catalogue, overrides);
   SystemEntry const& system = catalogue.system(file.study.system);
   CellLabels const cell = first_cell(file.plan, command.study);
-  auto const trajectory = begin_trajectory(catalogue, cell, start_of(command, file.study, system), true);
+  auto const trajectory =
+      begin_trajectory(catalogue, cell, rounded_to(cell.arithmetic, start_of(command, file.study, system)), true);
   Tracer tracer(command, catalogue, cell);
   tracer.header(system);
   tracer.line(*trajectory, 0);

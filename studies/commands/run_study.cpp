@@ -24,7 +24,7 @@ std::string reference_text(Reference const& reference) {
   return "";
 }
 
-void print_entry(char const* name, std::string const& text) {
+void print_entry(std::string const& name, std::string const& text) {
   if (!text.empty()) fmt::print("{:<10} {}\n", name, text);
 }
 
@@ -49,17 +49,24 @@ std::filesystem::path result_folder(StudyFile const& file, RunSettings const& se
   return std::filesystem::path("results") / name;
 }
 
-void print_study(StudyFile const& file, Catalogue const& catalogue, std::filesystem::path const& folder) {
+std::vector<std::pair<std::string, std::string>> run_entries(StudyFile const& file, Catalogue const& catalogue) {
   Study const& study = file.study;
-  print_entry("Question", study.question);
-  print_entry("Source", study.source);
-  print_entry("System", fmt::format("{}: {}", study.system, catalogue.system(study.system).title));
-  print_entry("Runs", runs_text(file));
-  for (auto const& cell : file.plan.cells) print_entry("", describe(cell));
-  print_entry("Observes", fmt::format("{}; {} samples", fmt::join(study.quantities, ", "), study.samples.count));
-  print_entry("Reference", reference_text(study.reference));
+  std::vector<std::pair<std::string, std::string>> entries;
+  entries.emplace_back("System", fmt::format("{}: {}", study.system, catalogue.system(study.system).title));
+  entries.emplace_back("Runs", runs_text(file));
+  for (auto const& cell : file.plan.cells) entries.emplace_back("", describe(cell));
+  entries.emplace_back("Observes",
+                       fmt::format("{}; {} samples", fmt::join(study.quantities, ", "), study.samples.count));
+  entries.emplace_back("Reference", reference_text(study.reference));
   for (auto const& skipped : file.plan.skipped)
-    print_entry("Left out", fmt::format("{}: {}", describe(skipped.cell), skipped.reason));
+    entries.emplace_back("Left out", fmt::format("{}: {}", describe(skipped.cell), skipped.reason));
+  return entries;
+}
+
+void print_study(StudyFile const& file, Catalogue const& catalogue, std::filesystem::path const& folder) {
+  print_entry("Question", file.study.question);
+  print_entry("Source", file.study.source);
+  for (auto const& [name, text] : run_entries(file, catalogue)) print_entry(name, text);
   print_entry("Results", folder.string());
   std::fflush(stdout);  // before progress appears on the other stream
 }

@@ -9,6 +9,9 @@ namespace brouwer {
 /// Where a study's results go: as asked for, or results/NAME, or results/NAME-xxxxxxxx where options have changed it.
 std::filesystem::path result_folder(StudyFile const& file, RunSettings const& settings);
 
+/// What a study runs and leaves out, entry by entry: {"Observes", "energy, casimir; 64 samples"}.
+std::vector<std::pair<std::string, std::string>> run_entries(StudyFile const& file, Catalogue const& catalogue);
+
 /// What is asked, run and left out, on standard output.
 void print_study(StudyFile const& file, Catalogue const& catalogue, std::filesystem::path const& folder);
 

@@ -23,7 +23,7 @@ std::string version_text() {
   add("GSL", gsl_version);
   add("MPFR", mpfr_get_version());
   add("GMP", gmp_version);
-  add("HDF5", H5_VERS_INFO);
+  add("HDF5", fmt::format("{}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE));
   add("toml++", fmt::format("{}.{}.{}", TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH));
   add("CLI11", CLI11_VERSION);
   add("fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100));

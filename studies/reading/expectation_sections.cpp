@@ -111,7 +111,7 @@ std::vector<Expectation> read_expectations(Section& root, Reading& reading, Cata
   toml::node const* node = root.find("expect");
   if (!node) return {};
   if (!node->is_array_of_tables()) {
-    root.complain("expect", " = " + shown(*node) + ", expected tables [[expect]]");
+    root.complain("expect", fmt::format(" = {}, expected tables [[expect]]", shown(*node)));
     return {};
   }
   std::vector<Expectation> expectations;

@@ -57,7 +57,7 @@ std::optional<std::string> out_of_reach(Expectation const& expectation, Study co
   if (!observed(expectation.of, study, catalogue))
     return fmt::format("'{}' is not observed by this study, observed are {}", expectation.of,
                        fmt::join(study.quantities, ", "));
-  if (auto no = level_not_run(expectation.where, cells)) return "where." + *no;
+  if (auto no = level_not_run(expectation.where, cells)) return fmt::format("where.{}", *no);
   std::size_t const sweep = longest_sweep(expectation.where, cells);
   if (sweep == 0) return "'where' matches no combination of levels that this study runs";
   if (expectation.step_exponent && sweep < 3)

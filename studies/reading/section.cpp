@@ -24,7 +24,7 @@ toml::node const* Section::find(std::string const& key) {
 
 Section Section::section(std::string const& key) {
   toml::node const* node = find(key);
-  if (node && !node->is_table()) complain_of(*node, path(key), " = " + shown(*node) + ", expected a table");
+  if (node && !node->is_table()) complain_of(*node, path(key), fmt::format(" = {}, expected a table", shown(*node)));
   if (!node || !node->is_table()) return {reading_, nullptr, path(key)};
   return {reading_, node->as_table(), path(key), node->source()};
 }

@@ -1,4 +1,6 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <brouwer/error.hpp>
 #include <optional>
@@ -45,7 +47,7 @@ class Section {
   /// Like `value`, but complains where the key is missing.
   template <class T>
   std::optional<T> required(std::string const& key, Kind<T> const& kind) {
-    if (!find(key)) complain("'" + path(key) + "' is missing, expected " + kind.expected);
+    if (!find(key)) complain(fmt::format("'{}' is missing, expected {}", path(key), kind.expected));
     return value(key, kind);
   }
 
@@ -79,9 +81,9 @@ template <class T>
 std::optional<T> Section::read(toml::node const& node, std::string const& path, Kind<T> const& kind) {
   try {
     if (auto value = kind.read(node)) return value;
-    complain_of(node, path, " = " + shown(node) + ", expected " + kind.expected);
+    complain_of(node, path, fmt::format(" = {}, expected {}", shown(node), kind.expected));
   } catch (InputError const& error) {
-    complain_of(node, path, std::string(": ") + error.what());
+    complain_of(node, path, fmt::format(": {}", error.what()));
   }
   return std::nullopt;
 }
@@ -100,7 +102,7 @@ std::vector<T> Section::levels(std::string const& key, Kind<T> const& kind) {
     auto const level = read(element, path(key), kind);
     if (!level) continue;
     bool const repeated = std::find(found.begin(), found.end(), *level) != found.end();
-    if (repeated) complain_of(element, path(key), " has " + shown(element) + " twice");
+    if (repeated) complain_of(element, path(key), fmt::format(" has {} twice", shown(element)));
     if (!repeated) found.push_back(*level);
   }
   return found;

@@ -1,0 +1,27 @@
+#include "studies/commands/text_file.hpp"
+
+#include <fmt/format.h>
+
+#include <brouwer/error.hpp>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace brouwer {
+
+std::string read_text(std::filesystem::path const& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream || !text) throw RunError(fmt::format("{}: cannot be read ({})", file.string(), std::strerror(errno)));
+  return text.str();
+}
+
+void write_text(std::filesystem::path const& file, std::string const& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text << std::flush;
+  if (!stream) throw RunError(fmt::format("{}: cannot be written ({})", file.string(), std::strerror(errno)));
+}
+
+}  // namespace brouwer
