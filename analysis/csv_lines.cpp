@@ -16,7 +16,7 @@ constexpr std::size_t longest_line = std::size_t{64} << 20;
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r";
   auto const first = text.find_first_not_of(blanks);
-  if (first == text.npos) return {};
+  if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
@@ -28,15 +28,15 @@ std::string_view unquoted(std::string_view field) {
 
 /// Where the field that starts at `from` ends: at the delimiter, or behind the closing quote's delimiter.
 std::size_t field_end(std::string_view line, std::size_t from, char delimiter) {
-  auto const start = line.find_first_not_of(" ", from);
-  if (start != line.npos && line[start] == '"')
-    if (auto const quote = line.find('"', start + 1); quote != line.npos) from = quote + 1;
+  auto const start = line.find_first_not_of(' ', from);
+  if (start != std::string_view::npos && line[start] == '"')
+    if (auto const quote = line.find('"', start + 1); quote != std::string_view::npos) from = quote + 1;
   return std::min(line.find(delimiter, from), line.size());
 }
 
 void split_at_blanks(std::string_view line, std::vector<std::string_view>& fields) {
   constexpr std::string_view blanks = " \t";
-  for (auto from = line.find_first_not_of(blanks); from != line.npos;) {
+  for (auto from = line.find_first_not_of(blanks); from != std::string_view::npos;) {
     auto const end = std::min(line.find_first_of(blanks, from), line.size());
     fields.push_back(unquoted(line.substr(from, end - from)));
     from = line.find_first_not_of(blanks, end);
@@ -80,7 +80,7 @@ bool CsvLines::next_raw(std::string_view& line) {
   std::size_t searched = position_;
   for (;;) {
     auto const end = buffer_.find('\n', searched);
-    if (end != buffer_.npos) {
+    if (end != std::string_view::npos) {
       line = std::string_view(buffer_).substr(position_, end - position_);
       position_ = end + 1;
       break;
@@ -102,7 +102,7 @@ bool CsvLines::next_raw(std::string_view& line) {
 bool CsvLines::next(std::string_view& line) {
   while (next_raw(line)) {
     if (number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
-    if (line.find('\0') != line.npos)
+    if (line.find('\0') != std::string_view::npos)
       complain("a zero byte: this is no text file (csv in ASCII or UTF-8 was expected)");
     if (line.ends_with('\r')) line.remove_suffix(1);
     auto const content = trimmed(line);
@@ -113,7 +113,7 @@ bool CsvLines::next(std::string_view& line) {
 
 Delimiter delimiter_of(std::string_view line) {
   for (auto const candidate : {Delimiter::semicolon, Delimiter::tab, Delimiter::comma})
-    if (line.find(static_cast<char>(candidate)) != line.npos) return candidate;
+    if (line.find(static_cast<char>(candidate)) != std::string_view::npos) return candidate;
   return Delimiter::blanks;
 }
 

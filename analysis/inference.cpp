@@ -105,7 +105,7 @@ std::vector<double> to_vector(Eigen::ArrayXd const& x) { return {x.begin(), x.en
 
 /// Mean over the members with its standard error, and RMS, at every sample time.
 void describe_course(Ensemble const& ensemble, double scale, Estimates& e) {
-  double const members = static_cast<double>(ensemble.errors.rows());
+  auto const members = static_cast<double>(ensemble.errors.rows());
   Eigen::RowVectorXd const first = scale * ensemble.errors.row(0);
   Eigen::RowVectorXd off = Eigen::RowVectorXd::Zero(first.size()), squares = off, spread = off;
   for (auto const& row : ensemble.errors.rowwise()) {

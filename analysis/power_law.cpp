@@ -100,7 +100,7 @@ PowerLaw fit_power_law(ErrorMatrix const& squares, std::int64_t members, Eigen::
   ErrorMatrix const kept = squares(Eigen::all, places);
   LeastSquares const law(design(places, Eigen::all));
   Eigen::VectorXd const centre = law(log_rms(total(places), members));
-  double const dof = static_cast<double>(squares.rows() - 1);
+  auto const dof = static_cast<double>(squares.rows() - 1);
   bool const resampable = dof >= 1 && centre.allFinite();
   Eigen::ArrayXd const sd =
       resampable ? bootstrap_sd(kept, members, law, centre) : Eigen::ArrayXd::Constant(centre.size(), undefined);

@@ -23,10 +23,11 @@ bool superlinear(Estimates const& e) { return exponent_counts(e) && e.growth.int
 
 bool far_below_a_walk(Estimates const& e) { return e.persistence.F < bounded_F && e.persistence.p_low < e.levels.test; }
 
-/// The first sample time past the middle of the run in log t: growth since then is growth that goes on.
+/// The first sample time past the middle of the run in log t, but not the last: growth since then is growth that goes
+/// on. For at least two sample times.
 std::size_t middle(Estimates const& e) {
   double const time = std::sqrt(e.times.front()) * std::sqrt(e.times.back());
-  auto const found = std::lower_bound(e.times.begin(), e.times.end() - 1, time);
+  auto const found = std::lower_bound(e.times.begin(), e.times.end() - 2, time);
   return static_cast<std::size_t>(found - e.times.begin());
 }
 
@@ -41,7 +42,7 @@ bool mean_has_moved(Estimates const& e, std::size_t since) {
 /// The ratio of mean squares of M independent normal errors at two samples is F(M, M); nearer to 1 if they depend.
 bool spread_has_grown(Estimates const& e, std::size_t since) {
   double const ratio = e.rms.back() / e.rms[since];
-  double const members = static_cast<double>(e.members);
+  auto const members = static_cast<double>(e.members);
   return fisher_upper(ratio * ratio, members, members) < e.levels.test;
 }
 

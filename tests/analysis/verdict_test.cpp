@@ -92,6 +92,17 @@ TEST(Verdict, BoundedNeedsASmallFAndAFlatRms) {
   EXPECT_EQ(verdict_of(e), Verdict::not_resolved);
 }
 
+TEST(Verdict, BoundedLooksForGrowthBetweenTwoSamplesToo) {
+  auto e = bounded();
+  e.times = {1, 10'000};
+  e.rms = {1e-16, 1e-16};
+  e.mean = e.mean_error = {1e-17, 1e-17};
+  e.samples = 2;
+  EXPECT_EQ(verdict_of(e), Verdict::bounded);
+  e.rms.back() = 1.7e-16;
+  EXPECT_NE(verdict_of(e), Verdict::bounded);
+}
+
 TEST(Verdict, ASignificantTIsNoDriftWhileABoundedErrorsMeanStays) {
   auto e = bounded();
   e.drift.p = 1e-9;  // an offset, the same at the end as before
