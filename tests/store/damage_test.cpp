@@ -34,21 +34,19 @@ struct Damage : testing::Test {
   std::string whole;
 };
 
-struct Flips : Damage, testing::WithParamInterface<char> {};
-
-TEST_P(Flips, OfAnyByteAreSeenOrHarmless) {
+TEST_F(Damage, OfAnyByteIsSeenOrHarmless) {
   int refused = 0;
-  for (std::size_t at = 0; at < whole.size(); at += 97) {
-    auto bytes = whole;
-    bytes[at] = static_cast<char>(bytes[at] ^ GetParam());
-    put(bytes);
-    auto const now = reading();
-    EXPECT_NE(now, Reading::wrong) << "byte " << at << " of " << whole.size();
-    refused += now == Reading::refused;
-  }
-  EXPECT_GT(refused, 40);  // the rest is padding
+  for (char const flipped : {'\x01', '\x80', '\xff'})
+    for (std::size_t at = 0; at < whole.size(); at += 97) {
+      auto bytes = whole;
+      bytes[at] = static_cast<char>(bytes[at] ^ flipped);
+      put(bytes);
+      auto const now = reading();
+      EXPECT_NE(now, Reading::wrong) << "byte " << at << " of " << whole.size();
+      refused += now == Reading::refused;
+    }
+  EXPECT_GT(refused, 300);  // of about 700; the rest is padding and what only other programs read
 }
-INSTANTIATE_TEST_SUITE_P(Mask, Flips, testing::Values('\x01', '\x80', '\xff'));
 
 TEST_F(Damage, OfAnyNumberIsSeen) {
   for (auto const& series : unit.series)

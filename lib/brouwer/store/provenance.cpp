@@ -82,7 +82,7 @@ Provenance provenance(int threads) {
 
 std::string to_text(Provenance const& provenance) {
   std::string text;
-  for (auto const& [key, value] : provenance.entries) text += key + " = " + value + "\n";
+  for (auto const& [key, value] : provenance.entries) text += fmt::format("{} = {}\n", key, value);
   return text;
 }
 

@@ -51,8 +51,8 @@ class Results {
   /// How many of the planned members are finished.
   std::int64_t finished_members(std::size_t cell) const { return cells_[cell].members; }
 
-  /// All finished members that have this component. @throws InputError if there is none of that name.
-  Ensemble load(std::size_t cell, std::string const& quantity) const;
+  /// All finished members of cell `number` that have this component. @throws InputError if there is none of that name.
+  Ensemble load(std::size_t number, std::string const& quantity) const;
 
  private:
   struct Cell {
