@@ -1,0 +1,222 @@
+// The program as a user meets it: exit status and messages of the built binary.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>  // mkdtemp
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+struct Said {
+  int status = -1;
+  std::string text;
+};
+
+constexpr char const* small_study = R"(question = "A toy?"
+[system.rigid_body]
+[integrate]
+methods = ["elliptic-three-constants", "dmv-2"]
+step = 0.01
+steps = 200
+[ensemble]
+members = 12
+seed = 1
+perturb = { momentum = { uniform = 1e-2 } }
+[observe]
+quantities = ["energy", "state"]
+reference = { arithmetic = "float128", members = 2 }
+samples = { count = 8 }
+[[expect]]
+of = "energy"
+where = { method = "dmv-2" }
+drift = { per_step = [-1e-14, 1e-14] }
+)";
+
+/// A folder of its own for each test, with a small study in it.
+struct Program : testing::Test {
+  Program() {
+    std::string name = (fs::temp_directory_path() / "brouwer-test-XXXXXX").string();
+    folder = mkdtemp(name.data());
+    write("toy.toml", small_study);
+  }
+  ~Program() override { fs::remove_all(folder); }
+
+  void write(std::string const& name, std::string const& text) const { std::ofstream(folder / name) << text; }
+
+  /// Both streams of `brouwer ARGUMENTS`, run in the folder.
+  Said brouwer(std::string const& arguments) const { return shell(std::string(BROUWER_PROGRAM) + " " + arguments); }
+
+  Said shell(std::string const& command) const {
+    std::string const line = "cd " + folder.string() + " && { " + command + "; } 2>&1";
+    FILE* const pipe = popen(line.c_str(), "r");
+    Said said;
+    std::array<char, 4096> buffer{};
+    while (std::size_t const n = fread(buffer.data(), 1, buffer.size(), pipe)) said.text.append(buffer.data(), n);
+    int const status = pclose(pipe);
+    said.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    return said;
+  }
+
+  fs::path folder;
+};
+
+TEST_F(Program, TeachesItself) {
+  auto const said = brouwer("--help");
+  EXPECT_EQ(said.status, 0);
+  for (auto const* word :
+       {"run", "plan", "check", "table", "plot", "report", "fit", "integrate", "list", "Examples", "75"})
+    EXPECT_THAT(said.text, HasSubstr(word));
+  EXPECT_THAT(brouwer("run --help").text, HasSubstr("--members"));
+  EXPECT_THAT(brouwer("--version").text, StartsWith("brouwer "));
+}
+
+struct Wrong {
+  char const* arguments;
+  char const* expected;
+};
+
+TEST_F(Program, RefusesWrongUsageWithOneSentenceAndStatusTwo) {
+  Wrong const usages[] = {
+      {"", "expected a subcommand"},
+      {"rum toy.toml", "there is no subcommand 'rum'; did you mean 'run'?"},
+      {"run", "study is required"},
+      {"run toy.toml --membrs 3", "there is no option '--membrs' of 'brouwer run'; did you mean '--members'?"},
+      {"run toy.toml other.toml", "unexpected argument 'other.toml'"},
+      {"run nowhere.toml", "nowhere.toml: cannot be read"},
+      {"run .", "is a folder"},
+      {"run toy.toml --members 0", "--members 0: ensemble.members = 0, expected a whole number"},
+      {"run toy.toml --members many", "--members many: ensemble.members = 'many'"},
+      {"run toy.toml --steps 3", "--steps 3: integrate.steps gives 3 steps"},
+      {"run toy.toml --threads 0", "--threads"},
+      {"run toy.toml --threads x", "--threads"},
+      {"run toy.toml --level 2", "--level 2: expected a number between 0 and 1"},
+      {"run toy.toml --confidence nan", "expected a number between 0 and 1"},
+      {"run toy.toml --set nonsense", "--set nonsense: expected KEY=VALUE"},
+      {"run toy.toml --set integrate.step=-1", "--set integrate.step=-1: integrate.step = -1, expected"},
+      {"run toy.toml -o toy.toml", "toy.toml"},
+      {"plan toy.toml --set observe.quantities=enrgy", "there is no quantity 'enrgy'"},
+      {"table nowhere", "nowhere"},
+      {"table . --format txet", "text"},
+      {"check nowhere", "nowhere: cannot be read"},
+      {"check .", "study.toml: cannot be read"},
+      {"fit nowhere.csv", "nowhere.csv"},
+      {"fit toy.toml", "toy.toml"},
+      {"integrate toy.toml --member 12", "--member 12: the study has members 0 to 11"},
+      {"integrate toy.toml --member -1", "--member"},
+      {"integrate toy.toml --every 0", "--every"},
+      {"integrate toy.toml --method dmv2", "--method dmv2: integrate.methods: there is no method 'dmv2'"},
+      {"integrate toy.toml --step nan", "--step nan: integrate.step = nan, expected a finite number"},
+      {"list system", "there is no list of 'system'; did you mean 'systems'?"},
+      {"completion fish", "there is no completion for 'fish'"},
+  };
+  for (auto const& [arguments, expected] : usages) {
+    auto const said = brouwer(arguments);
+    EXPECT_EQ(said.status, 2) << arguments << "\n" << said.text;
+    EXPECT_THAT(said.text, HasSubstr(expected)) << arguments;
+    EXPECT_THAT(said.text, HasSubstr("brouwer: ")) << arguments;
+  }
+  EXPECT_FALSE(fs::exists(folder / "results"));
+}
+
+TEST_F(Program, RunsAStudyAndDoesNotRunItTwice) {
+  auto const first = brouwer("run toy.toml --no-figures");
+  EXPECT_EQ(first.status, 0) << first.text;
+  for (auto const* word : {"A toy?", "elliptic-three-constants", "float128, for 2 members", "PASS", "results/toy"})
+    EXPECT_THAT(first.text, HasSubstr(word));
+  auto const unit = folder / "results/toy/units";
+  auto const written = fs::last_write_time(unit);
+  EXPECT_EQ(brouwer("run toy.toml --no-figures").text, first.text);
+  EXPECT_EQ(fs::last_write_time(unit), written);
+}
+
+TEST_F(Program, KeepsAChangedStudyApart) {
+  EXPECT_EQ(brouwer("run toy.toml --no-figures --members 4").status, 0);
+  EXPECT_EQ(brouwer("run toy.toml --no-figures --members 5").status, 0);
+  auto const folders = std::distance(fs::directory_iterator(folder / "results"), fs::directory_iterator());
+  EXPECT_EQ(folders, 2);
+  auto const mixed = brouwer("run toy.toml --no-figures --members 4 -o results/toy && " BROUWER_PROGRAM
+                             " run toy.toml --no-figures -o results/toy");
+  EXPECT_EQ(mixed.status, 2) << mixed.text;
+  EXPECT_THAT(mixed.text, HasSubstr("members"));
+}
+
+TEST_F(Program, ChecksExpectations) {
+  EXPECT_EQ(brouwer("check toy.toml --junit outcome.xml").status, 0);
+  EXPECT_TRUE(fs::exists(folder / "outcome.xml"));
+  EXPECT_EQ(brouwer("check results/toy").status, 0);
+  std::string failing = small_study;
+  failing.replace(failing.find("[-1e-14, 1e-14]"), 15, "[1e-3, 2e-3]");
+  write("failing.toml", failing);
+  auto const said = brouwer("check failing.toml");
+  EXPECT_EQ(said.status, 1);
+  EXPECT_THAT(said.text, HasSubstr("FAIL"));
+}
+
+TEST_F(Program, PrintsTablesForProgramsOnly) {
+  ASSERT_EQ(brouwer("run toy.toml --no-figures").status, 0);
+  EXPECT_THAT(brouwer("table results/toy --format json").text, StartsWith("["));
+  EXPECT_THAT(brouwer("table results/toy --format latex").text, HasSubstr("tabular"));
+  EXPECT_EQ(brouwer("table results/toy > /dev/full").status, 3);
+}
+
+TEST_F(Program, NamesADamagedUnit) {
+  ASSERT_EQ(brouwer("run toy.toml --no-figures").status, 0);
+  for (auto const& entry : fs::recursive_directory_iterator(folder / "results/toy/units"))
+    if (entry.path().extension() == ".h5") fs::resize_file(entry.path(), 100);
+  auto const said = brouwer("table results/toy");
+  EXPECT_EQ(said.status, 3) << said.text;
+  EXPECT_THAT(said.text, HasSubstr(".h5"));
+}
+
+TEST_F(Program, SaysWhereItCannotWrite) {
+  auto const said = brouwer("run toy.toml -o /proc/brouwer");
+  EXPECT_EQ(said.status, 2) << said.text;
+  EXPECT_THAT(said.text, HasSubstr("/proc/brouwer"));
+}
+
+TEST_F(Program, StopsWhenAskedToAndResumes) {
+  auto const said = shell(BROUWER_PROGRAM
+                          " run toy.toml --no-figures --steps 100000000 --members 4000 -o long >/dev/null & "
+                          "until [ -e long/plan.txt ]; do sleep 0.05; done; kill -INT $!; wait $!; echo status $?");
+  EXPECT_THAT(said.text, HasSubstr("status 75"));
+  EXPECT_THAT(said.text, HasSubstr("interrupted: 0 of"));
+  EXPECT_THAT(said.text, HasSubstr("the same command resumes"));
+  EXPECT_TRUE(fs::exists(folder / "long/study.toml"));
+}
+
+TEST_F(Program, IntegratesOneTrajectory) {
+  auto const said = brouwer("integrate toy.toml --method dmv-2 --steps 20 --every 10 2>/dev/null");
+  EXPECT_THAT(said.text, StartsWith("t,y1,y2,y3,q0,q1,q2,q3,energy"));
+  EXPECT_EQ(std::count(said.text.begin(), said.text.end(), '\n'), 4);
+  EXPECT_THAT(brouwer("integrate toy.toml --steps 1 --hex").text, HasSubstr("0x"));
+  EXPECT_NE(brouwer("integrate toy.toml --steps 1").text, brouwer("integrate toy.toml --steps 1 --member 0").text);
+}
+
+TEST_F(Program, EndsQuietlyWhereNobodyReadsOn) {
+  auto const said = shell(BROUWER_PROGRAM " integrate toy.toml --steps 1000000 | head -n 1");
+  EXPECT_EQ(std::count(said.text.begin(), said.text.end(), '\n'), 1) << said.text;
+}
+
+TEST_F(Program, PlansWithoutWriting) {
+  auto const said = brouwer("plan toy.toml");
+  EXPECT_EQ(said.status, 0) << said.text;
+  EXPECT_THAT(said.text, HasSubstr("smallest visible drift"));
+  EXPECT_FALSE(fs::exists(folder / "results"));
+}
+
+TEST_F(Program, CompletesInShells) {
+  EXPECT_EQ(shell("bash -c 'source <(" BROUWER_PROGRAM " completion bash) && complete -p brouwer'").status, 0);
+  EXPECT_THAT(brouwer("completion zsh").text, StartsWith("#compdef brouwer"));
+}
+
+}  // namespace
