@@ -54,7 +54,7 @@ std::string number(double x, int digits, Notation notation) {
   if (x == 0) return in_math("0", notation);
   double const rounded =
       std::strtod(fmt::format("{:.{}e}", x, digits - 1).c_str(), nullptr);  // 9.99 to two digits is 10
-  int const e = decade(rounded), power = written_exponent(e);
+  int const e = decade(std::isfinite(rounded) ? rounded : x), power = written_exponent(e);
   return in_math(fixed(scaled(rounded, power), digits - 1 - (e - power), notation) + power_of_ten(power, notation),
                  notation);
 }

@@ -33,8 +33,9 @@ double error_of(BodyCase const& c, RigidBodyState<T> const& y, T const& h, int s
     return wide;
   };
   auto const exact = RigidBodyFlow<E>(c.body<T>().template in<E>(), widened(c.start<T>()))(E(E(h) * steps));
+  auto const reached = widened(y);
   E worst = 0;
-  for_components([&](E const& a, E const& b) { worst = larger(worst, E(abs(E(a - b)))); }, widened(y), exact);
+  for_components([&](E const& a, E const& b) { worst = larger(worst, E(abs(E(a - b)))); }, reached, exact);
   return static_cast<double>(worst);
 }
 

@@ -1,6 +1,7 @@
 // Starts depend on (seed, member) alone, follow their law, and are possible.
 #include <brouwer/ensemble/start.hpp>
 #include <brouwer/error.hpp>
+#include <brouwer/systems/rigid_body.hpp>
 
 #include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>

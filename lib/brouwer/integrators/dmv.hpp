@@ -11,7 +11,7 @@ namespace brouwer {
 /// J. Phys. A 39 (2006) 13225. With pⱼ = h yⱼ/(2Iⱼ) the step's rotation is (1, c₁, c₂, c₃)/√α, where
 ///     c₁ = α p₁ + (I₂−I₃)/I₁ c₂c₃ (and cyclic)      α = 1 + c₁² + c₂² + c₃²
 /// is solved by fixed-point iteration in Gauss–Seidel order from c = p, until the iterate stands still or its
-/// change no longer shrinks; then
+/// change, down to a few ulp, no longer shrinks; then
 ///     y₁' = y₁ + (4/(hα)) (I₂−I₃) c₂c₃ (and cyclic)      q' = q ⊗ (1, c)/√α.
 /// Only two constants a component are rounded, η₁ = h/(2I₁) and κ₁ = (I₂−I₃)/I₁; the change is formed from them, as
 /// 2κ₁c₂c₃/(αη₁). A third constant 4(I₂−I₃)/h would contradict them by some ε in every step, and the energy would drift
@@ -76,7 +76,8 @@ class Dmv2 {
       T const c3 = alpha * p[2] + coupling_[2] * c1 * c2;
       T const moved = larger(larger(abs(c1 - c[0]), abs(c2 - c[1])), abs(c3 - c[2]));
       c = select_each(active, {c1, c2, c3}, c);
-      active = both(active, both(moved > T(0), moved < change));
+      T const at_rounding = T(16) * epsilon<T>() * larger(larger(abs(c1), abs(c2)), abs(c3));
+      active = both(active, both(moved > T(0), either(moved < change, moved > at_rounding)));
       change = select(active, moved, change);
     }
     if (count) *count = i;
