@@ -28,11 +28,12 @@ void add_levels(CLI::App& app, Levels& levels) {
 void add_override(CLI::App& app, std::vector<Override>& overrides, std::string const& option, std::string const& key,
                   std::string const& help) {
   app.add_option_function<std::string>(
-      option,
-      [&overrides, option, key](std::string const& value) {
-        overrides.push_back({key, value, option + " " + value});
-      },
-      help);
+         option,
+         [&overrides, option, key](std::string const& value) {
+           overrides.push_back({key, value, option + " " + value});
+         },
+         help)
+      ->type_name("VALUE");
 }
 
 void add_set(CLI::App& app, std::vector<Override>& overrides) {
@@ -215,6 +216,7 @@ void CommandLine::parse(int argc, char const* const* argv) {
     throw InputError(fmt::format("expected a subcommand, one of {}; try 'brouwer --help'", fmt::join(names, ", ")));
   std::string const first = argv[1];
   bool const known = std::find(names.begin(), names.end(), first) != names.end();
+  if (first.starts_with("--") && !app_.get_option_no_throw(first)) throw InputError(complaint_about(first, app_));
   if (!first.starts_with("-") && !known)
     throw InputError(fmt::format("there is no subcommand '{}'{}", first, suggestion(first, names)));
   try {

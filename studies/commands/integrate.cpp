@@ -3,6 +3,7 @@
 
 #include <brouwer/ensemble/start.hpp>
 #include <brouwer/error.hpp>
+#include <cstring>
 
 #include "studies/commands/commands.hpp"
 #include "studies/read.hpp"
@@ -13,15 +14,19 @@ namespace {
 /// Decimal digits that identify every number with this many bits: 1 + ⌈bits·log₁₀2⌉; 17 for double.
 int digits_for(int bits) { return 2 + bits * 30103 / 100000; }
 
-std::string decimal(Widest const& x, int digits) { return x.str(digits, std::ios_base::scientific); }
+std::string decimal(Widest const& x, int digits) { return x.str(digits - 1, std::ios_base::scientific); }
 
-/// Exact, as C's %a: the significand of Widest holds every arithmetic's numbers.
+/// Exact, as C's %a: the significand of Widest holds every arithmetic's numbers. MPFR leaves the leading digit open
+/// (0x6.6p-4 or 0x1.98p-2); that of a number in [1, 2) is 1.
 std::string hexadecimal(Widest const& x) {
+  if (!mpfr_regular_p(x.backend().data())) return fmt::format("{:a}", static_cast<double>(x));  // 0, nan, inf
+  mpfr_exp_t const exponent = mpfr_get_exp(x.backend().data()) - 1;
+  Widest const significand = ldexp(x, static_cast<int>(-exponent));
   char* text = nullptr;
-  if (mpfr_asprintf(&text, "%Ra", x.backend().data()) < 0) throw std::bad_alloc();
-  std::string const copy = text;
+  if (mpfr_asprintf(&text, "%Ra", significand.backend().data()) < 0) throw std::bad_alloc();
+  std::string const digits(text, std::strchr(text, 'p'));
   mpfr_free_str(text);
-  return copy;
+  return fmt::format("{}p{:+}", digits, exponent);
 }
 
 /// Names of the first integrals, component by component, as Trajectory::first_integrals orders them.

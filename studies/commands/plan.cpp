@@ -31,7 +31,7 @@ std::int64_t members_of(Study const& study, Catalogue const& catalogue, Estimate
 
 void print_cell(StudyFile const& file, Catalogue const& catalogue, CellLabels const& cell, Pilot const& pilot,
                 Levels const& levels) {
-  fmt::print("\n{}: {} steps, {} on one thread ({:.2g} s a member-step)\n", describe(cell), cell.steps,
+  fmt::print("\n{}: {} on one thread ({:.2g} s a member-step)\n", describe(cell),
              duration_text(seconds_of(file.study, cell, pilot)), pilot.seconds_per_step);
   for (auto const& row : pilot.rows) {
     std::int64_t const members = members_of(file.study, catalogue, row);

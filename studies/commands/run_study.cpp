@@ -54,7 +54,10 @@ std::vector<std::pair<std::string, std::string>> run_entries(StudyFile const& fi
   std::vector<std::pair<std::string, std::string>> entries;
   entries.emplace_back("System", fmt::format("{}: {}", study.system, catalogue.system(study.system).title));
   entries.emplace_back("Runs", runs_text(file));
-  for (auto const& cell : file.plan.cells) entries.emplace_back("", describe(cell));
+  auto const varying = varying_factors(file.plan.cells);
+  for (auto const& cell : file.plan.cells) entries.emplace_back("", short_label(cell, varying));
+  if (file.plan.cells.size() > 1)
+    entries.emplace_back("All with", describe(file.plan.cells.front(), constant_factors(file.plan.cells)));
   entries.emplace_back("Observes",
                        fmt::format("{}; {} samples", fmt::join(study.quantities, ", "), study.samples.count));
   entries.emplace_back("Reference", reference_text(study.reference));

@@ -90,6 +90,7 @@ TEST_F(Program, RefusesWrongUsageWithOneSentenceAndStatusTwo) {
       {"", "expected a subcommand"},
       {"rum toy.toml", "there is no subcommand 'rum'; did you mean 'run'?"},
       {"run", "study is required"},
+      {"--bogus", "there is no option '--bogus'"},
       {"run toy.toml --membrs 3", "there is no option '--membrs' of 'brouwer run'; did you mean '--members'?"},
       {"run toy.toml other.toml", "unexpected argument 'other.toml'"},
       {"run nowhere.toml", "nowhere.toml: cannot be read"},
@@ -198,7 +199,8 @@ TEST_F(Program, IntegratesOneTrajectory) {
   auto const said = brouwer("integrate toy.toml --method dmv-2 --steps 20 --every 10 2>/dev/null");
   EXPECT_THAT(said.text, StartsWith("t,y1,y2,y3,q0,q1,q2,q3,energy"));
   EXPECT_EQ(std::count(said.text.begin(), said.text.end(), '\n'), 4);
-  EXPECT_THAT(brouwer("integrate toy.toml --steps 1 --hex").text, HasSubstr("0x"));
+  EXPECT_THAT(brouwer("integrate toy.toml --steps 1 --hex").text,
+              HasSubstr("\n0x0p+0,0x1.ccccccccccccdp+0,0x1.999999999999ap-2,-0x1.ccccccccccccdp-1,0x1p+0,"));
   EXPECT_NE(brouwer("integrate toy.toml --steps 1").text, brouwer("integrate toy.toml --steps 1 --member 0").text);
 }
 
