@@ -26,7 +26,7 @@ typename S::State advanced(BodyCase const& c, typename S::Scalar const& h, int s
 /// The largest error of a component against the exact flow from the same numbers.
 template <class T>
 double error_of(BodyCase const& c, RigidBodyState<T> const& y, T const& h, int steps) {
-  using E = Mpfr<512>;
+  using E = std::conditional_t<(significand_bits<T> > 128), Mpfr<512>, Judge>;
   auto const widened = [](RigidBodyState<T> const& s) {
     RigidBodyState<E> wide;
     for_components([](E& w, T const& v) { w = E(v); }, wide, s);

@@ -90,8 +90,9 @@ TEST(MemberStart, IsDrawnAgainUntilTheBodyIsPossible) {
                      start.state[5] * start.state[5] + start.state[6] * start.state[6];
     EXPECT_NEAR(n, 1, 1e-15);
   }
-  study.perturb["inertia"].size = 1e9;
-  EXPECT_THROW(member_start(study, catalogue.system("rigid_body"), 0), InputError);
+  auto impossible = catalogue.system("rigid_body");
+  impossible.complaint = [](FieldValues const&) { return std::optional<std::string>("no"); };
+  EXPECT_THROW(member_start(study, impossible, 0), InputError);
 }
 
 TEST(MemberStart, IsNominalWithoutPerturbation) {

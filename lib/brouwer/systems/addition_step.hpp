@@ -18,8 +18,9 @@ struct AdditionFactors {
 /// and no inverse function. With τ = c₃h:
 ///     A = c₁²τ²(c₂²y₂² + y₃²)    B = c₂²τ²(y₁² + c₁²y₂²)    g = g(A+B, AB)    w = τg
 ///     P = √(1 − Ag²)    R = √(1 − Bg²)    D = 1 − c₁²c₂²w²y₂²
-/// Where the series of g would be too long the step is halved and put together again by doubling:
-///     w(2τ) = 2wPR/E    P(2τ) = (P² − s²R²)/E    R(2τ) = (R² − t²P²)/E,    s² = Ag², t² = Bg², E = 1 − s²t².
+/// Where the series of g would be too long the step is halved and put together again by doubling, in which nothing
+/// cancels: with s² = Ag², t² = Bg², E = 1 − s²t²
+///     w(2τ) = 2wPR/E    P(2τ) − 1 = −2s²R²/E    R(2τ) − 1 = −2t²P²/E.
 template <Real T>
 class AdditionStep {
  public:
@@ -51,9 +52,9 @@ class AdditionStep {
     T s2 = a * squared(f.w), t2 = b * squared(f.w);
     f.P = sqrt(T(1) - s2);
     f.R = sqrt(T(1) - t2);
+    f.p1 = -s2 / (T(1) + f.P);
+    f.r1 = -t2 / (T(1) + f.R);
     for (int i = 0; i < halvings_; ++i) double_step(f, s2, t2, a, b);
-    f.p1 = less_one(f.P, s2);
-    f.r1 = less_one(f.R, t2);
     f.e = c1_squared_ * c2_squared_ * squared(f.w) * y2_squared;
     f.denominator = T(1) - f.e;
     return f;
@@ -63,16 +64,12 @@ class AdditionStep {
   static void double_step(AdditionFactors<T>& f, T& s2, T& t2, T const& a, T const& b) {
     T const E = T(1) - s2 * t2, P2 = squared(f.P), R2 = squared(f.R);
     f.w = T(2) * f.w * f.P * f.R / E;
-    f.P = (P2 - s2 * R2) / E;
-    f.R = (R2 - t2 * P2) / E;
+    f.p1 = -(T(2) * s2 * R2 / E);
+    f.r1 = -(T(2) * t2 * P2 / E);
+    f.P = T(1) + f.p1;
+    f.R = T(1) + f.r1;
     s2 = a * squared(f.w);
     t2 = b * squared(f.w);
-  }
-
-  /// c − 1 from c and s² = 1 − c²
-  static T less_one(T const& c, T const& s2) {
-    auto const forward = c > T(0);
-    return select(forward, -s2 / (T(1) + select(forward, c, T(1))), c - T(1));
   }
 
   T tau_, c1_squared_, c2_squared_;
