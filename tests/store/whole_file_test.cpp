@@ -60,7 +60,7 @@ TEST(WholeFile, StaysAsItWasWhenTheDiskIsFull) {
   {
     FullDisk const full(1000);
     EXPECT_THAT([&] { write_whole(folder / "file", std::string(5000, 'x')); },
-                ThrowsMessage<RunError>(HasSubstr("File too large")));
+                ThrowsMessage<RunError>(HasSubstr((folder / "file").string() + ": File too large")));
   }
   EXPECT_EQ(read_whole(folder / "file"), "before");
   EXPECT_EQ(entries(folder.path()), 1U) << "the temporary is still there";

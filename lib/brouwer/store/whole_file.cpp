@@ -61,8 +61,8 @@ Descriptor open_locked(fs::path const& temporary) {
 /// The file under its temporary name; unless it is renamed, it is removed.
 class Temporary {
  public:
-  explicit Temporary(fs::path const& goal) : path_(unique_name(goal)), file_(open_locked(path_)) {
-    if (!file_) fail("write", goal, errno);
+  explicit Temporary(fs::path goal) : goal_(std::move(goal)), path_(unique_name(goal_)), file_(open_locked(path_)) {
+    if (!file_) fail("write", goal_, errno);
   }
   ~Temporary() {
     if (!path_.empty()) ::unlink(path_.c_str());
@@ -73,16 +73,16 @@ class Temporary {
   void write(std::string_view bytes) {
     while (!bytes.empty()) {
       ssize_t const written = ::write(*file_, bytes.data(), bytes.size());
-      if (written < 0 && errno != EINTR) fail("write", path_, errno);
+      if (written < 0 && errno != EINTR) fail("write", goal_, errno);
       if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
     }
   }
 
-  void rename_to(fs::path const& goal) {
-    if (::fsync(*file_) != 0) fail("write", goal, errno);
-    if (::rename(path_.c_str(), goal.c_str()) != 0) fail("write", goal, errno);
+  void rename() {
+    if (::fsync(*file_) != 0) fail("write", goal_, errno);
+    if (::rename(path_.c_str(), goal_.c_str()) != 0) fail("write", goal_, errno);
     path_.clear();
-    if (file_.close() != 0) fail("write", goal, errno);
+    if (file_.close() != 0) fail("write", goal_, errno);
   }
 
  private:
@@ -92,7 +92,7 @@ class Temporary {
            fmt::format("{}{}-{}-{}", temporary_prefix, ::getpid(), count++, goal.filename().string());
   }
 
-  fs::path path_;
+  fs::path goal_, path_;
   Descriptor file_;
 };
 
@@ -107,7 +107,7 @@ void remove_if_unlocked(fs::path const& file) {
 void write_whole(fs::path const& file, std::string_view bytes) {
   Temporary temporary(file);
   temporary.write(bytes);
-  temporary.rename_to(file);
+  temporary.rename();
   sync_folder(file.parent_path());
 }
 
