@@ -95,6 +95,15 @@ TEST(WholeFile, SurvivesTheDeathOfItsWriter) {
   EXPECT_EQ(entries(folder.path()), 1U);
 }
 
+/// In a container every run may have the same process number, and find the temporaries of the last one.
+TEST(Leftovers, OfTheSameNumberAreNoHindrance) {
+  Scratch const folder;
+  for (int i = 0; i < 200; ++i)
+    std::ofstream(folder / (".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(i) + "-file")) << "half";
+  write_whole(folder / "file", "whole");
+  EXPECT_EQ(read_whole(folder / "file"), "whole");
+}
+
 TEST(Leftovers, AreRemovedInAllFoldersBelow) {
   Scratch const folder;
   std::filesystem::create_directories(folder / "units/cell-000");

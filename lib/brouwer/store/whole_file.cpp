@@ -62,6 +62,10 @@ Descriptor open_locked(fs::path const& temporary) {
 class Temporary {
  public:
   explicit Temporary(fs::path goal) : goal_(std::move(goal)), path_(unique_name(goal_)), file_(open_locked(path_)) {
+    while (!file_ && errno == EEXIST) {  // of a dead process with our number, or of one on another machine
+      path_ = unique_name(goal_);
+      file_ = open_locked(path_);
+    }
     if (!file_) fail("write", goal_, errno);
   }
   ~Temporary() {
