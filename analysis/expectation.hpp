@@ -9,9 +9,10 @@ namespace brouwer {
 
 /// Which cells an expectation speaks of; an absent key matches every level.
 struct Selector {
-  std::optional<std::string> method, arithmetic, special_functions;
-  std::optional<bool> compensation;
-  std::optional<double> step;
+  // "= {}" lets {.method = "dmv-2"} be written without a warning for the rest
+  std::optional<std::string> method = {}, arithmetic = {}, special_functions = {};
+  std::optional<bool> compensation = {};
+  std::optional<double> step = {};
   bool matches(CellLabels const& cell) const;
 };
 
@@ -19,19 +20,20 @@ struct Around {
   double exponent = 0, within = 0;
 };
 
-/// One [[expect]] of a study: what must be true of a quantity in the selected cells. Several parts may be given; all must hold.
+/// One [[expect]] of a study: what must be true of a quantity in the selected cells. Several parts may be given; all
+/// must hold.
 struct Expectation {
   std::string of;  ///< component or quantity: "spatial-momentum" speaks of its three components
   Selector where;
   enum class DriftWanted { unsaid, none, band };
   DriftWanted drift = DriftWanted::unsaid;
-  Interval drift_band;                  ///< per step; the estimate must lie inside, and be significant unless the band holds 0
-  std::optional<Around> growth;         ///< exponent of t in every selected cell
+  Interval drift_band;           ///< per step; the estimate must lie inside, and be significant unless the band holds 0
+  std::optional<Around> growth;  ///< exponent of t in every selected cell
   std::optional<Around> step_exponent;  ///< p in RMS = a·hᵖ·t^q fitted over the selected cells (at least three steps h)
   std::optional<bool> persistence;      ///< true: slopes must persist; false: they must not
-  std::vector<std::string> verdict;     ///< any of these words
-  std::optional<double> level;          ///< of the tests; otherwise Levels::test
-  int line = 0;                         ///< in the study file, for messages
+  std::vector<std::string> verdict;  ///< any of these words
+  std::optional<double> level;       ///< of the tests; otherwise Levels::test
+  int line = 0;                      ///< in the study file, for messages
 };
 
 /// What became of one expectation in one cell (or over a sweep, for step_exponent).

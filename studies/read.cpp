@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <brouwer/error.hpp>
 #include <cerrno>
 #include <cstdio>
@@ -18,9 +17,6 @@ namespace brouwer {
 namespace {
 
 constexpr std::size_t most_bytes = 1 << 18;
-
-/// Dotted keys nest as deep as they are long, and what nests is destroyed recursively: this many stay within any stack.
-constexpr std::ptrdiff_t most_dots = 4096;
 
 std::string read_text(std::filesystem::path const& file) {
   std::error_code ignored;
@@ -38,14 +34,7 @@ std::string read_text(std::filesystem::path const& file) {
 toml::table parse(std::string const& text, std::string const& file) {
   if (text.size() > most_bytes)
     throw InputError(fmt::format("{}: is larger than {} KiB, expected a study file (TOML)", file, most_bytes / 1024));
-  if (std::count(text.begin(), text.end(), '.') > most_dots)
-    throw InputError(fmt::format("{}: has more than {} dots, too many for a study file", file, most_dots));
-  try {
-    return toml::parse(text, file);
-  } catch (toml::parse_error const& error) {
-    auto const at = error.source().begin;
-    throw InputError(fmt::format("{}:{}:{}: {}", file, at.line, at.column, error.description()));
-  }
+  return parse_toml(text, file);
 }
 
 std::string serialised(toml::table const& table) {

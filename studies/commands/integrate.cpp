@@ -3,7 +3,6 @@
 
 #include <brouwer/ensemble/start.hpp>
 #include <brouwer/error.hpp>
-#include <cstring>
 
 #include "studies/commands/commands.hpp"
 #include "studies/read.hpp"
@@ -14,7 +13,16 @@ namespace {
 /// Decimal digits that identify every number with this many bits: 1 + ⌈bits·log₁₀2⌉; 17 for double.
 int digits_for(int bits) { return 2 + bits * 30103 / 100000; }
 
-std::string decimal(Widest const& x, int digits) { return x.str(digits - 1, std::ios_base::scientific); }
+template <class... Arguments>
+std::string printed(char const* format, Arguments... arguments) {
+  char* text = nullptr;
+  if (mpfr_asprintf(&text, format, arguments...) < 0) throw std::bad_alloc();
+  std::string const copy = text;
+  mpfr_free_str(text);
+  return copy;
+}
+
+std::string decimal(Widest const& x, int digits) { return printed("%.*Re", digits - 1, x.backend().data()); }
 
 /// Exact, as C's %a: the significand of Widest holds every arithmetic's numbers. MPFR leaves the leading digit open
 /// (0x6.6p-4 or 0x1.98p-2); that of a number in [1, 2) is 1.
@@ -22,11 +30,8 @@ std::string hexadecimal(Widest const& x) {
   if (!mpfr_regular_p(x.backend().data())) return fmt::format("{:a}", static_cast<double>(x));  // 0, nan, inf
   mpfr_exp_t const exponent = mpfr_get_exp(x.backend().data()) - 1;
   Widest const significand = ldexp(x, static_cast<int>(-exponent));
-  char* text = nullptr;
-  if (mpfr_asprintf(&text, "%Ra", significand.backend().data()) < 0) throw std::bad_alloc();
-  std::string const digits(text, std::strchr(text, 'p'));
-  mpfr_free_str(text);
-  return fmt::format("{}p{:+}", digits, exponent);
+  std::string const text = printed("%Ra", significand.backend().data());
+  return fmt::format("{}p{:+}", text.substr(0, text.find('p')), exponent);
 }
 
 /// Names of the first integrals, component by component, as Trajectory::first_integrals orders them.

@@ -5,6 +5,7 @@
 #include <brouwer/spelling.hpp>
 
 #include "studies/commands/commands.hpp"
+#include "studies/commands/text_file.hpp"
 #include "studies/reading/toml.hpp"
 
 namespace brouwer {
@@ -53,9 +54,9 @@ void list_quantities(Catalogue const& catalogue) {
 /// The question of a study, or what is the matter with the file.
 std::string question_of(std::filesystem::path const& file) {
   try {
-    return toml::parse_file(file.string())["question"].value_or<std::string>("(no question)");
-  } catch (toml::parse_error const&) {
-    return "(does not parse)";
+    return parse_toml(read_text(file), file.string())["question"].value_or<std::string>("(no question)");
+  } catch (std::exception const& error) {
+    return fmt::format("({})", error.what());
   }
 }
 

@@ -44,9 +44,9 @@ double member_steps(StudyFile const& file) {
 
 std::filesystem::path result_folder(StudyFile const& file, RunSettings const& settings) {
   if (!settings.folder.empty()) return settings.folder;
-  std::string name = file.study.name;
-  if (!settings.overrides.empty()) name += "-" + study_hash(file.study).substr(0, 8);
-  return std::filesystem::path("results") / name;
+  std::filesystem::path const results = "results";
+  if (settings.overrides.empty()) return results / file.study.name;
+  return results / fmt::format("{}-{:.8}", file.study.name, study_hash(file.study));
 }
 
 std::vector<std::pair<std::string, std::string>> run_entries(StudyFile const& file, Catalogue const& catalogue) {

@@ -29,8 +29,8 @@ void read_reference(Section& observe, Catalogue const& catalogue, Study& study) 
   } else {
     Section reference = observe.section("reference");
     if (auto const given = reference.required("arithmetic", name)) set_reference(study, *given);
-    auto const members = reference.value("members", whole(1, study.members));
-    study.reference.members = members.value_or(study.reference.members);
+    auto const wanted = reference.value("members", whole(1, most_members));
+    study.reference.members = std::min(wanted.value_or(usual_members), study.members);  // --members may have left fewer
     reference.refuse_unknown_keys();
   }
   if (study.reference.kind == Reference::Kind::none) study.reference.members = 0;

@@ -34,11 +34,11 @@ toml::table& subtable(toml::table& table, std::string const& key, Override const
 /// VALUE as TOML; a word that is no TOML is a string, but an open bracket or quote is a mistake.
 toml::table parsed_value(Override const& given) {
   try {
-    toml::table one = toml::parse("value = " + given.value);
+    toml::table one = parse_toml(fmt::format("value = {}", given.value), "");
     if (one.size() == 1) return one;
-  } catch (toml::parse_error const& error) {
+  } catch (InputError const& error) {
     if (given.value.find_first_of("[]{}\"'") != std::string::npos)
-      throw InputError(fmt::format("{}: the value is not TOML: {}", given.option, error.description()));
+      throw InputError(fmt::format("{}: the value is not TOML: {}", given.option, error.what()));
   }
   return toml::table{{"value", given.value}};
 }

@@ -220,7 +220,8 @@ Bad const bad_studies[] = {
      "there is no reference 'quad'"},
     {"ReferenceTooNarrow", "reference = { arithmetic = \"float128\"", "reference = { arithmetic = \"double\"",
      "'double' (53 bits) is not wider than 'double' (53 bits)"},
-    {"ReferenceOfTooMany", "members = 8", "members = 1001", "expected a whole number from 1 to 1000"},
+    {"ReferenceOfNobody", "members = 8", "members = 0",
+     "observe.reference.members = 0, expected a whole number from 1"},
     {"SamplesZero", "count = 32", "count = 0",
      "drift.toml:17: observe.samples.count = 0, expected a whole number from 1"},
     {"UnknownSpacing", "\"linear\"", "\"lineal\"", "there is no spacing 'lineal'; did you mean 'linear'?"},
@@ -287,6 +288,13 @@ TEST(StudyFile, IsRefusedWhereItIsTooLargeOrNestsTooDeeply) {
   EXPECT_THAT(complaint(dotted + " = 1\n"), HasSubstr("more than 4096 dots"));
 }
 
+TEST(StudyFile, IsRefusedWhereTheParserItselfWouldFail) {
+  EXPECT_THAT(complaint("a = { b = 1, # c }"), StartsWith("drift.toml"));
+  EXPECT_THAT(complaint("a = { # }"), StartsWith("drift.toml"));
+  EXPECT_THAT(complaint("[#]"), StartsWith("drift.toml"));
+  EXPECT_THAT(complaint("a.# = 1"), StartsWith("drift.toml"));
+}
+
 TEST(StudyFile, IsRefusedWhereThereIsNone) {
   auto const complaint_of = [](std::filesystem::path const& file) -> std::string {
     try {
@@ -307,6 +315,10 @@ TEST(Override, ReplacesAValueBeforeItIsChecked) {
   EXPECT_EQ(file.study.members, 8);
   EXPECT_THAT(file.text, HasSubstr("members = 8"));
   EXPECT_EQ(canonical_text(read(file.text).study), canonical_text(file.study));
+}
+
+TEST(Override, OfTheMembersLimitsThoseThatAreCompared) {
+  EXPECT_EQ(read(good, {{"ensemble.members", "4", "--members 4"}}).study.reference.members, 4);
 }
 
 TEST(Override, IsNamedInComplaints) {
