@@ -56,8 +56,8 @@ struct Estimates {
   CellLabels cell;
   std::string quantity, family, unit;
   std::int64_t members = 0, failed = 0, samples = 0;
-  std::vector<double> times, rms;               ///< RMS over members at the sample times
-  std::vector<double> mean, mean_error;         ///< mean over members, and its standard error
+  std::vector<double> times, rms;        ///< RMS over members at the sample times
+  std::vector<double> mean, mean_error;  ///< mean over members, and its standard error
   double rms_final = 0;
   Drift drift;
   Persistence persistence;
@@ -66,7 +66,7 @@ struct Estimates {
   double smallest_visible_drift = 0;  ///< per step, at levels.test with chance levels.power
   Levels levels;
   Verdict verdict = Verdict::not_resolved;
-  std::string sentence;  ///< the verdict in words, with the numbers that carry it
+  std::string sentence;            ///< the verdict in words, with the numbers that carry it
   std::string time_unit = "step";  ///< what drift is per, for people: "step", "time unit"
 };
 

@@ -52,10 +52,9 @@ void dmv_by_hand(benchmark::State& state) {
       y[1] += 2 * (kappa[1] * (c[2] * c[0])) / (a * eta[1]);
       y[2] += 2 * (kappa[2] * (c[0] * c[1])) / (a * eta[2]);
       double const r[4] = {-c2 / (1 + root) / root, c[0] / root, c[1] / root, c[2] / root};
-      double const d[4] = {q[0] * r[0] - q[1] * r[1] - q[2] * r[2] - q[3] * r[3],
-                           q[0] * r[1] + q[1] * r[0] + q[2] * r[3] - q[3] * r[2],
-                           q[0] * r[2] + q[2] * r[0] + q[3] * r[1] - q[1] * r[3],
-                           q[0] * r[3] + q[3] * r[0] + q[1] * r[2] - q[2] * r[1]};
+      double const d[4] = {
+          q[0] * r[0] - q[1] * r[1] - q[2] * r[2] - q[3] * r[3], q[0] * r[1] + q[1] * r[0] + q[2] * r[3] - q[3] * r[2],
+          q[0] * r[2] + q[2] * r[0] + q[3] * r[1] - q[1] * r[3], q[0] * r[3] + q[3] * r[0] + q[1] * r[2] - q[2] * r[1]};
       for (int j = 0; j < 4; ++j) q[j] += d[j];
     }
     benchmark::DoNotOptimize(y);

@@ -55,7 +55,8 @@ TEST(Plan, SkipsWhatDoesNotExistAndSaysWhy) {
   EXPECT_EQ(plan.cells.size(), 3);  // own and gsl in double, own in float; none with compensation
   ASSERT_EQ(plan.skipped.size(), 5);
   EXPECT_THAT(plan.skipped[0].reason, HasSubstr("compensation does not apply"));
-  EXPECT_THAT(plan.skipped.back().reason, testing::AnyOf(HasSubstr("do not exist in float"), HasSubstr("compensation")));
+  EXPECT_THAT(plan.skipped.back().reason,
+              testing::AnyOf(HasSubstr("do not exist in float"), HasSubstr("compensation")));
 }
 
 TEST(Plan, CutsEachCellIntoUnitsThatHoldEveryMemberOnce) {
@@ -90,7 +91,9 @@ TEST(Plan, RefusesWhatCannotBe) {
   EXPECT_THAT(with([](Study& s) { s.values["inertia"] = {1, 0.5, 1}; }), HasSubstr("sorted"));
   EXPECT_THAT(with([](Study& s) { s.steps = 5; }), HasSubstr("cannot be sampled 8 times"));
   EXPECT_THAT(with([](Study& s) { s.reference = {}; }), HasSubstr("needs a reference"));
-  EXPECT_THAT(with([](Study& s) { s.reference = {Reference::Kind::same_method, "double", 4}; }),
+  EXPECT_THAT(with([](Study& s) {
+                s.reference = {Reference::Kind::same_method, "double", 4};
+              }),
               HasSubstr("cannot judge double"));
   EXPECT_THAT(with([](Study& s) { s.members = 0; }), HasSubstr("at least 1"));
   EXPECT_THAT(with([](Study& s) { s.steps.reset(), s.until = 1e300; }), HasSubstr("steps; expected"));

@@ -22,9 +22,8 @@ struct RunOfAStudy : testing::Test {
   Catalogue const catalogue = builtin_catalogue();
   Study const study = small_study();
   Plan const plan = make_plan(study, catalogue);
-  fs::path const folder =
-      fs::temp_directory_path() / ("brouwer-run-" + std::to_string(::getpid()) + "-" +
-                                   testing::UnitTest::GetInstance()->current_test_info()->name());
+  fs::path const folder = fs::temp_directory_path() / ("brouwer-run-" + std::to_string(::getpid()) + "-" +
+                                                       testing::UnitTest::GetInstance()->current_test_info()->name());
   ~RunOfAStudy() override { fs::remove_all(folder); }
 
   bool run_into(fs::path const& where, int threads, std::atomic<bool> const* stop = nullptr) const {
@@ -173,8 +172,10 @@ TEST(FailedMember, IsMarkedAndLeavesTheOthersAlone) {
   int failed = 0, good = 0;
   for (std::size_t i = 0; i < 16; ++i) {
     double const last = record.series[0].errors[i * 8 + 7];
-    if (std::isnan(last)) ++failed;
-    else if (std::abs(last) < 1e-12) ++good;
+    if (std::isnan(last))
+      ++failed;
+    else if (std::abs(last) < 1e-12)
+      ++good;
   }
   EXPECT_GT(failed, 0);
   EXPECT_GT(good, 0);

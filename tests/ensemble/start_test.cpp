@@ -22,8 +22,7 @@ std::vector<double> first_components(Perturbation const& perturbation, int membe
   study.perturb = {{"momentum", perturbation}};
   auto const catalogue = builtin_catalogue();
   std::vector<double> values;
-  for (int i = 0; i < members; ++i)
-    values.push_back(member_start(study, catalogue.system("rigid_body"), i).state[0]);
+  for (int i = 0; i < members; ++i) values.push_back(member_start(study, catalogue.system("rigid_body"), i).state[0]);
   std::sort(values.begin(), values.end());
   return values;
 }

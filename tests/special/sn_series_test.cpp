@@ -62,8 +62,7 @@ TEST(GaussLegendre, NodesNeededGivesFullPrecision) {
   auto const f = [](Judge const& x) { return Judge(1 / (1 + x * x)); };
   GaussLegendre<Judge> const rule(GaussLegendre<Judge>::nodes_needed(1, 0.86));
   Judge sum = 0;
-  for (auto const& [x, weight] : rule.nodes())
-    sum += weight * f(x);
+  for (auto const& [x, weight] : rule.nodes()) sum += weight * f(x);
   EXPECT_LT(abs(Judge(sum - boost::math::constants::pi<Judge>() / 4)), Judge("1e-75"));
 }
 

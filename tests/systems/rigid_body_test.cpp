@@ -104,8 +104,8 @@ TEST(RigidBodyErrors, ArePhaseAndRotationOfAKnownDisplacement) {
 TEST(RigidBodyInertia, IsRefusedWhereNoBodyHasIt) {
   EXPECT_FALSE(inertia_complaint({0.6, 0.8, 1.0}));
   EXPECT_FALSE(inertia_complaint({0.1, 0.2, 0.1 + 0.2})) << "a flat body in decimals";
-  for (std::vector<double> const& bad : {std::vector<double>{0, 1, 1}, {-1, 1, 1}, {1, 0.5, 1.2}, {0.3, 0.4, 0.8},
-                                         {NAN, 1, 1}, {1, 1, INFINITY}})
+  for (std::vector<double> const& bad :
+       {std::vector<double>{0, 1, 1}, {-1, 1, 1}, {1, 0.5, 1.2}, {0.3, 0.4, 0.8}, {NAN, 1, 1}, {1, 1, INFINITY}})
     EXPECT_TRUE(inertia_complaint(bad)) << bad[0] << ' ' << bad[1] << ' ' << bad[2];
 }
 

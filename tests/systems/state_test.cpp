@@ -44,10 +44,12 @@ TEST(CompensatedState, LosesOnlyRoundingOfTheIncrementsWhereAComponentCrossesZer
 
 TEST(CompensatedState, BeginsWithoutAResidue) {
   Compensated<State7> const y(filled(0.3));
-  for_components([](double value, double residue) {
-    EXPECT_EQ(value, 0.3);
-    EXPECT_EQ(residue, 0);
-  }, y.value, y.residue);
+  for_components(
+      [](double value, double residue) {
+        EXPECT_EQ(value, 0.3);
+        EXPECT_EQ(residue, 0);
+      },
+      y.value, y.residue);
 }
 
 TEST(StateComponents, KeepTheOrderOfTheirNames) {

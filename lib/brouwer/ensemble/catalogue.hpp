@@ -17,11 +17,11 @@ using SystemEntry = SystemDescription;
 
 /// A method as data, and the one function that turns names into a running trajectory.
 struct MethodEntry {
-  std::string name;     ///< elliptic-naive
-  std::string system;   ///< rigid_body
-  std::string summary;  ///< one line
-  std::string source;   ///< the publication
-  int order = 0;        ///< 0: exact up to rounding
+  std::string name;                     ///< elliptic-naive
+  std::string system;                   ///< rigid_body
+  std::string summary;                  ///< one line
+  std::string source;                   ///< the publication
+  int order = 0;                        ///< 0: exact up to rounding
   bool compensable = false;             ///< has an increment to be summed with compensation
   bool uses_special_functions = false;  ///< the variants own, gsl, boost apply
   bool uses_libm = false;               ///< sin, cos, atan …: bits depend on the machine's libm

@@ -38,8 +38,7 @@ MethodEntry method(MethodText const& text) {
   MethodEntry entry = detail::described<S<double>>(text);
   entry.begin = [](TrajectoryRequest const& request) {
     std::unique_ptr<Trajectory> trajectory;
-    for_arithmetic(request.arithmetic,
-                   [&]<class T>(NamedArithmetic<T>) { trajectory = begin_member<S<T>>(request); });
+    for_arithmetic(request.arithmetic, [&]<class T>(NamedArithmetic<T>) { trajectory = begin_member<S<T>>(request); });
     return trajectory;
   };
   return entry;

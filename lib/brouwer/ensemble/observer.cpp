@@ -11,8 +11,7 @@ bool contains(std::vector<std::string> const& names, std::string const& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-Series empty_series(Quantity const& quantity, std::string const& component, std::int64_t members,
-                    std::size_t samples) {
+Series empty_series(Quantity const& quantity, std::string const& component, std::int64_t members, std::size_t samples) {
   auto const entries = static_cast<std::size_t>(members) * samples;
   return {component, quantity.name, quantity.unit, members,
           std::vector<double>(entries, std::numeric_limits<double>::quiet_NaN())};

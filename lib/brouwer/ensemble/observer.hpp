@@ -32,8 +32,8 @@ class Observer {
 
   std::size_t samples_;
   bool needs_attitude_ = false, needs_reference_ = false;
-  std::vector<Series> series_;                     // first integrals, then state errors
-  std::vector<std::size_t> integrals_, states_;    // which of the trajectory's errors each series is
+  std::vector<Series> series_;                   // first integrals, then state errors
+  std::vector<std::size_t> integrals_, states_;  // which of the trajectory's errors each series is
   std::vector<double> integral_errors_, state_errors_;
 };
 

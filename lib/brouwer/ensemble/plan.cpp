@@ -17,8 +17,8 @@ std::int64_t steps_of(Study const& study, double h) {
   if (study.steps) return *study.steps;
   double const steps = std::round(*study.until / h);
   if (!(steps >= 1 && steps <= static_cast<double>(most_steps)))
-    throw InputError(fmt::format("until = {} with step = {} makes {} steps; expected 1 to {}", *study.until, h, steps,
-                                 most_steps));
+    throw InputError(
+        fmt::format("until = {} with step = {} makes {} steps; expected 1 to {}", *study.until, h, steps, most_steps));
   return static_cast<std::int64_t>(steps);
 }
 
@@ -117,9 +117,10 @@ std::vector<std::int64_t> sample_steps(Samples const& samples, std::int64_t step
   for (std::int64_t j = 1; j <= count; ++j) {
     double const share = static_cast<double>(j) / static_cast<double>(count);
     bool const linear = samples.spacing == Samples::Spacing::linear;
-    double const place = linear ? share * static_cast<double>(steps)
-                                : std::pow(static_cast<double>(steps),
-                                           static_cast<double>(j - 1) / static_cast<double>(std::max<std::int64_t>(count - 1, 1)));
+    double const place =
+        linear ? share * static_cast<double>(steps)
+               : std::pow(static_cast<double>(steps),
+                          static_cast<double>(j - 1) / static_cast<double>(std::max<std::int64_t>(count - 1, 1)));
     // rounding must neither repeat a step nor run past the steps that are left for the samples to come
     std::int64_t const previous = at.empty() ? 0 : at.back();
     at.push_back(std::clamp<std::int64_t>(std::llround(place), previous + 1, steps - (count - j)));

@@ -18,8 +18,8 @@ struct Progress {
 };
 
 struct RunOptions {
-  int threads = 0;                         ///< 0: all that this process may use
-  std::atomic<bool> const* stop = nullptr; ///< set by a signal handler: workers leave, finished units stay
+  int threads = 0;                          ///< 0: all that this process may use
+  std::atomic<bool> const* stop = nullptr;  ///< set by a signal handler: workers leave, finished units stay
 };
 
 /// One unit, computed here and now: depends on (study, unit) alone.

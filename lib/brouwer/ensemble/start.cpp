@@ -42,8 +42,10 @@ double moved_by_ulps(double x, std::int64_t k) {
 double perturbed(double x, Perturbation const& p, Draw const& draw) {
   double const u = uniform(draw);
   switch (p.law) {
-    case Perturbation::Law::uniform: return x + p.size * (2 * u - 1);
-    case Perturbation::Law::normal: return x + p.size * gsl_cdf_ugaussian_Pinv(u);
+    case Perturbation::Law::uniform:
+      return x + p.size * (2 * u - 1);
+    case Perturbation::Law::normal:
+      return x + p.size * gsl_cdf_ugaussian_Pinv(u);
     case Perturbation::Law::ulps: {
       double const n = p.size;
       return moved_by_ulps(x, std::min(static_cast<std::int64_t>(u * (2 * n + 1)), static_cast<std::int64_t>(2 * n)) -
@@ -60,8 +62,8 @@ FieldValues draw_values(Study const& study, SystemEntry const& system, std::int6
     if (found == study.perturb.end()) continue;
     auto& numbers = values.at(system.fields[f].name);
     for (std::size_t c = 0; c < numbers.size(); ++c)
-      numbers[c] = perturbed(numbers[c], found->second,
-                             {study.seed, static_cast<std::uint64_t>(member), f, c, attempt});
+      numbers[c] =
+          perturbed(numbers[c], found->second, {study.seed, static_cast<std::uint64_t>(member), f, c, attempt});
   }
   if (!study.perturb.empty() && system.project) system.project(values);
   return values;
@@ -95,9 +97,7 @@ Start member_start(Study const& study, SystemEntry const& system, std::int64_t m
 }
 
 double rounded_to(std::string const& arithmetic, double value) {
-  for_arithmetic(arithmetic, [&]<class T>(NamedArithmetic<T>) {
-    value = static_cast<double>(static_cast<T>(value));
-  });
+  for_arithmetic(arithmetic, [&]<class T>(NamedArithmetic<T>) { value = static_cast<double>(static_cast<T>(value)); });
   return value;
 }
 

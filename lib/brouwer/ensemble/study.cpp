@@ -10,18 +10,24 @@ namespace {
 
 char const* name_of(Perturbation::Law law) {
   switch (law) {
-    case Perturbation::Law::uniform: return "uniform";
-    case Perturbation::Law::normal: return "normal";
-    case Perturbation::Law::ulps: return "ulps";
+    case Perturbation::Law::uniform:
+      return "uniform";
+    case Perturbation::Law::normal:
+      return "normal";
+    case Perturbation::Law::ulps:
+      return "ulps";
   }
   return "?";
 }
 
 std::string text_of(Reference const& reference) {
   switch (reference.kind) {
-    case Reference::Kind::none: return "none";
-    case Reference::Kind::exact: return fmt::format("exact, {} members", reference.members);
-    case Reference::Kind::same_method: return fmt::format("{}, {} members", reference.arithmetic, reference.members);
+    case Reference::Kind::none:
+      return "none";
+    case Reference::Kind::exact:
+      return fmt::format("exact, {} members", reference.members);
+    case Reference::Kind::same_method:
+      return fmt::format("{}, {} members", reference.arithmetic, reference.members);
   }
   return "?";
 }
@@ -57,8 +63,8 @@ std::string canonical_text(Study const& study) {
   for (auto const& [field, p] : study.perturb) line("perturb." + field, fmt::format("{} {:a}", name_of(p.law), p.size));
   line("quantities", fmt::format("{}", fmt::join(study.quantities, ", ")));
   line("reference", text_of(study.reference));
-  line("samples", fmt::format("{}, {}", study.samples.count,
-                              study.samples.spacing == Samples::Spacing::log ? "log" : "linear"));
+  line("samples",
+       fmt::format("{}, {}", study.samples.count, study.samples.spacing == Samples::Spacing::log ? "log" : "linear"));
   return text;
 }
 

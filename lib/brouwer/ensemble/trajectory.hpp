@@ -17,10 +17,10 @@ struct TrajectoryRequest {
   std::string arithmetic;
   std::string special_functions;
   bool compensation = false;
-  bool attitude = true;             ///< false: nothing asks for the attitude, leave it at its start
-  double step = 0;                  ///< h, held exactly; rounded to the arithmetic where that is narrower
-  std::vector<double> parameters;   ///< the system's parameter fields, one after the other
-  std::vector<double> start;        ///< the start's fields, one after the other
+  bool attitude = true;            ///< false: nothing asks for the attitude, leave it at its start
+  double step = 0;                 ///< h, held exactly; rounded to the arithmetic where that is narrower
+  std::vector<double> parameters;  ///< the system's parameter fields, one after the other
+  std::vector<double> start;       ///< the start's fields, one after the other
 };
 
 /// One member under way. The scalar, the stepper and the residue of a compensated sum are inside; a

@@ -38,8 +38,8 @@ class Dmv2 {
 
   State increment(State const& s) const {
     auto const& y = s.momentum;
-    Rotation const r = solve({half_step_over_inertia_[0] * y[0], half_step_over_inertia_[1] * y[1],
-                              half_step_over_inertia_[2] * y[2]});
+    Rotation const r = solve(
+        {half_step_over_inertia_[0] * y[0], half_step_over_inertia_[1] * y[1], half_step_over_inertia_[2] * y[2]});
     auto const& c = r.c;
     Vector3<T> const dy{change(0, c[1] * c[2], r.alpha), change(1, c[2] * c[0], r.alpha),
                         change(2, c[0] * c[1], r.alpha)};
@@ -77,7 +77,7 @@ class Dmv2 {
       T const moved = larger(larger(abs(c1 - c[0]), abs(c2 - c[1])), abs(c3 - c[2]));
       c = select_each(active, {c1, c2, c3}, c);
       T const at_rounding = T(16) * epsilon<T>() * larger(larger(abs(c1), abs(c2)), abs(c3));
-      active = both(active, both(moved > T(0), either(moved < change, moved > at_rounding)));
+      active = both(active, both(moved > T(0), either(moved<change, moved> at_rounding)));
       change = select(active, moved, change);
     }
     if (count) *count = i;

@@ -17,10 +17,9 @@ class EllipticBranchFree : public EllipticBase<T> {
   State operator()(State const& s) const {
     auto const& y = s.momentum;
     auto const f = step_(y);
-    return this->with_momentum(
-        s, {(f.P * y[0] - step_.c1_squared() * f.w * f.R * y[1] * y[2]) / f.denominator,
-            (f.P * f.R * y[1] + f.w * y[0] * y[2]) / f.denominator,
-            (f.R * y[2] - step_.c2_squared() * f.w * f.P * y[0] * y[1]) / f.denominator});
+    return this->with_momentum(s, {(f.P * y[0] - step_.c1_squared() * f.w * f.R * y[1] * y[2]) / f.denominator,
+                                   (f.P * f.R * y[1] + f.w * y[0] * y[2]) / f.denominator,
+                                   (f.R * y[2] - step_.c2_squared() * f.w * f.P * y[0] * y[1]) / f.denominator});
   }
 
   /// The addition step over h, with a series just long enough for this start.
@@ -49,10 +48,9 @@ class EllipticIncrement : public EllipticBase<T> {
   State increment(State const& s) const {
     auto const& y = s.momentum;
     auto const f = step_(y);
-    return this->change(
-        s, {((f.p1 + f.e) * y[0] - step_.c1_squared() * f.w * f.R * y[1] * y[2]) / f.denominator,
-            ((f.p1 + f.r1 + f.p1 * f.r1 + f.e) * y[1] + f.w * y[0] * y[2]) / f.denominator,
-            ((f.r1 + f.e) * y[2] - step_.c2_squared() * f.w * f.P * y[0] * y[1]) / f.denominator});
+    return this->change(s, {((f.p1 + f.e) * y[0] - step_.c1_squared() * f.w * f.R * y[1] * y[2]) / f.denominator,
+                            ((f.p1 + f.r1 + f.p1 * f.r1 + f.e) * y[1] + f.w * y[0] * y[2]) / f.denominator,
+                            ((f.r1 + f.e) * y[2] - step_.c2_squared() * f.w * f.P * y[0] * y[1]) / f.denominator});
   }
 
  private:

@@ -59,8 +59,7 @@ class EllipticNaive : public EllipticBase<T> {
     T const u = Functions::f(T(atan2(y[1] / c_sn, y_cn / c_cn)), k) + rate * side * a_dn * this->step_size();
     auto const j = Functions::jacobi(u, k);
     T const cn_part = c_cn * a_cn * j.cn, dn_part = side * c_dn * a_dn * j.dn;
-    Vector3<T> const next{select(exchanged, dn_part, cn_part), c_sn * a_cn * j.sn,
-                          select(exchanged, cn_part, dn_part)};
+    Vector3<T> const next{select(exchanged, dn_part, cn_part), c_sn * a_cn * j.sn, select(exchanged, cn_part, dn_part)};
     return select_vector<T>(at_rest(this->constants(), y), y, next);
   }
 

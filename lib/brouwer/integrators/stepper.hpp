@@ -11,8 +11,9 @@ template <class System>
 struct Setup {
   System system;
   typename System::Scalar step;  ///< h, in the system's unit of time
-  typename System::State start;  ///< constants of one trajectory (first integrals, lengths of series) are taken from here
-  bool attitude = true;          ///< false: the part of the state that nothing asks for stays at its start
+  typename System::State
+      start;             ///< constants of one trajectory (first integrals, lengths of series) are taken from here
+  bool attitude = true;  ///< false: the part of the state that nothing asks for stays at its start
 };
 
 /// A stepper advances a state by one step of the size that it was built for. It is a value: copyable, no clock, no
@@ -22,19 +23,17 @@ struct Setup {
 /// plainly or with compensation, is the state's business. Only increments can be compensated.
 template <class S>
 concept DirectStepper = std::copyable<S> && State<typename S::State> &&
-                        std::constructible_from<S, Setup<typename S::System>> &&
-                        requires(S const step, typename S::State const y) {
-                          { step(y) } -> std::same_as<typename S::State>;
-                          { S::order } -> std::convertible_to<int>;  // 0: exact up to rounding
-                        };
+    std::constructible_from<S, Setup<typename S::System>> && requires(S const step, typename S::State const y) {
+  { step(y) } -> std::same_as<typename S::State>;
+  { S::order } -> std::convertible_to<int>;  // 0: exact up to rounding
+};
 
 template <class S>
 concept IncrementStepper = std::copyable<S> && State<typename S::State> &&
-                           std::constructible_from<S, Setup<typename S::System>> &&
-                           requires(S const step, typename S::State const y) {
-                             { step.increment(y) } -> std::same_as<typename S::State>;
-                             { S::order } -> std::convertible_to<int>;
-                           };
+    std::constructible_from<S, Setup<typename S::System>> && requires(S const step, typename S::State const y) {
+  { step.increment(y) } -> std::same_as<typename S::State>;
+  { S::order } -> std::convertible_to<int>;
+};
 
 template <class S>
 concept Stepper = DirectStepper<S> || IncrementStepper<S>;

@@ -18,7 +18,8 @@ constexpr unsigned digits_for_bits(unsigned bits) {
 }  // namespace detail
 
 /// MPFR number with a significand of at least `Bits` bits, on the stack, without expression templates.
-/// Boost's precision is in decimal digits, so that Mpfr<256> holds 257 bits; every operation is correctly rounded to those.
+/// Boost's precision is in decimal digits, so that Mpfr<256> holds 257 bits; every operation is correctly rounded to
+/// those.
 template <unsigned Bits>
 using Mpfr = boost::multiprecision::number<
     boost::multiprecision::mpfr_float_backend<detail::digits_for_bits(Bits), boost::multiprecision::allocate_stack>,

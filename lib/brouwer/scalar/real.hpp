@@ -47,7 +47,7 @@ concept Real = std::copyable<T> && std::constructible_from<T, int> && requires(T
   { -a } -> std::convertible_to<T>;
   { a + b } -> std::convertible_to<T>;
   { a - b } -> std::convertible_to<T>;
-  { a * b } -> std::convertible_to<T>;
+  { a* b } -> std::convertible_to<T>;
   { a / b } -> std::convertible_to<T>;
   { select(a < b, a, b) } -> std::convertible_to<T>;
   { any(a < b) } -> std::same_as<bool>;

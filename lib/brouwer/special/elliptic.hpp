@@ -14,8 +14,8 @@ struct Jacobi {
 
 /// Lane by lane; for single numbers the general select does.
 template <Real T>
-  requires(!std::same_as<Mask<T>, bool>)
-Jacobi<T> select(Mask<T> const& mask, Jacobi<T> const& yes, Jacobi<T> const& no) {
+requires(!std::same_as<Mask<T>, bool>) Jacobi<T> select(Mask<T> const& mask, Jacobi<T> const& yes,
+                                                        Jacobi<T> const& no) {
   return {select(mask, yes.sn, no.sn), select(mask, yes.cn, no.cn), select(mask, yes.dn, no.dn)};
 }
 
@@ -36,8 +36,8 @@ T complete_elliptic_k(T const& k) {
 /// Incomplete elliptic integral of the first kind F(φ, k) = ∫₀^φ dθ / √(1 − k² sin²θ).
 /// @param phi  amplitude, radians, −π ≤ φ ≤ π
 /// @param k    modulus, 0 ≤ k ≤ 1; with k = 1 only |φ| < π/2 is finite
-/// Method:   sin φ R_F(cos²φ, 1 − k² sin²φ, 1) [DLMF 19.25.5], the second argument as cos²φ + (1 − k²) sin²φ; beyond π/2 the reflection 2K(k) − F(π − φ, k).
-/// Error:    measured in tests/special/elliptic_test.cpp.
+/// Method:   sin φ R_F(cos²φ, 1 − k² sin²φ, 1) [DLMF 19.25.5], the second argument as cos²φ + (1 − k²) sin²φ; beyond
+/// π/2 the reflection 2K(k) − F(π − φ, k). Error:    measured in tests/special/elliptic_test.cpp.
 template <Real T>
 T elliptic_f(T const& phi, T const& k) {
   using math::cos;

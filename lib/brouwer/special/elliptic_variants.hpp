@@ -54,11 +54,12 @@ struct BoostElliptic {
   template <class T>
   static constexpr bool exists_in = std::numeric_limits<T>::is_specialized && !std::same_as<T, Float128>;
 
-  using Policy = boost::math::policies::policy<
-      boost::math::policies::domain_error<boost::math::policies::ignore_error>,
-      boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
-      boost::math::policies::evaluation_error<boost::math::policies::ignore_error>,
-      boost::math::policies::promote_float<false>, boost::math::policies::promote_double<false>>;
+  using Policy =
+      boost::math::policies::policy<boost::math::policies::domain_error<boost::math::policies::ignore_error>,
+                                    boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
+                                    boost::math::policies::evaluation_error<boost::math::policies::ignore_error>,
+                                    boost::math::policies::promote_float<false>,
+                                    boost::math::policies::promote_double<false>>;
 
   template <Real T>
   static T f(T const& phi, T const& k) {

@@ -29,7 +29,8 @@ inline SnIntegers sn_series_integers() {
     for (unsigned p = 0; p < n; ++p)
       for (unsigned q = 0; p + q < n; ++q) {
         unsigned const r = n - 1 - p - q;
-        cpp_int const ways = 2 * factorial[2 * n + 1] / (factorial[2 * p + 1] * factorial[2 * q + 1] * factorial[2 * r + 1]);
+        cpp_int const ways =
+            2 * factorial[2 * n + 1] / (factorial[2 * p + 1] * factorial[2 * q + 1] * factorial[2 * r + 1]);
         for (unsigned i = 0; 2 * i <= p; ++i)
           for (unsigned j = 0; 2 * j <= q; ++j)
             for (unsigned k = 0; 2 * k <= r; ++k) c[n + 1][i + j + k + 1] += ways * c[p][i] * c[q][j] * c[r][k];

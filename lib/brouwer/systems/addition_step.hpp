@@ -7,11 +7,11 @@ namespace brouwer {
 /// The factors of the addition theorem for one step from y: what sn, cn, dn of the step are, free of branches.
 template <Real T>
 struct AdditionFactors {
-  T w;             ///< τ g: sn of the step over its frequency
-  T P, R;          ///< its cn and dn (or dn and cn, in the other branch)
-  T p1, r1;        ///< P − 1 and R − 1 without cancellation
-  T e;             ///< c₁² c₂² w² y₂²
-  T denominator;   ///< D = 1 − e
+  T w;            ///< τ g: sn of the step over its frequency
+  T P, R;         ///< its cn and dn (or dn and cn, in the other branch)
+  T p1, r1;       ///< P − 1 and R − 1 without cancellation
+  T e;            ///< c₁² c₂² w² y₂²
+  T denominator;  ///< D = 1 − e
 };
 
 /// The elliptic solution over a fixed time by the addition theorem in a form with no modulus, no sign, no branch

@@ -26,8 +26,8 @@ struct AttitudeFrame {
   }
 
   /// p(y)⁻¹ ⊗ rot(e, Δψ) ⊗ p(y + Δy) − 1, every part with a relative error of a few ulp, however small the step:
-  /// with P = √(2(1 + y·e/r)) p and P' = P + ΔP the product is |P|² (cos η, sin η y/r) + P* ⊗ (cos η, e sin η) ⊗ ΔP over
-  /// |P||P'|, η = Δψ/2, because P* takes e back to y/r.
+  /// with P = √(2(1 + y·e/r)) p and P' = P + ΔP the product is |P|² (cos η, sin η y/r) + P* ⊗ (cos η, e sin η) ⊗ ΔP
+  /// over |P||P'|, η = Δψ/2, because P* takes e back to y/r.
   Quaternion<T> turn_less_one(Vector3<T> const& dy, T const& psi) const {
     using math::cos;
     using math::sin;
@@ -45,8 +45,7 @@ struct AttitudeFrame {
                             (main * direction[2] + rest.z()) / norm};
     T const scalar = (size2 * c + rest.w()) / norm;
     auto const forward = scalar > T(0);
-    T const less_one =
-        select(forward, -squared_norm(vector) / (T(1) + select(forward, scalar, T(1))), scalar - T(1));
+    T const less_one = select(forward, -squared_norm(vector) / (T(1) + select(forward, scalar, T(1))), scalar - T(1));
     return {less_one, vector[0], vector[1], vector[2]};
   }
 };

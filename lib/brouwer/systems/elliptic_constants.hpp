@@ -31,8 +31,8 @@ struct EllipticBranch {
   Mask<T> exchanged;
   T y_cn, y_sn, y_dn;  ///< the components that are multiples of cn, sn, dn
   T c_cn, c_dn;        ///< c₁, c₂ or c₂, c₁
-  T k_cn, k_dn;        ///< k₁ = √(y₁² + c₁²y₂²), k₃ = √(c₂²y₂² + y₃²), or exchanged: both first integrals
-  T modulus;           ///< k = c_dn k_cn / (c_cn k_dn), 0 ≤ k ≤ 1
+  T k_cn, k_dn;  ///< k₁ = √(y₁² + c₁²y₂²), k₃ = √(c₂²y₂² + y₃²), or exchanged: both first integrals
+  T modulus;  ///< k = c_dn k_cn / (c_cn k_dn), 0 ≤ k ≤ 1
 
   EllipticBranch(EllipticConstants<T> const& c, Vector3<T> const& y) {
     using math::sqrt;

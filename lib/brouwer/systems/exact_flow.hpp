@@ -8,6 +8,8 @@ template <class System>
 struct ExactFlow;
 
 template <class System>
-concept HasExactFlow = requires { typename ExactFlow<System>::type; };
+concept HasExactFlow = requires {
+  typename ExactFlow<System>::type;
+};
 
 }  // namespace brouwer

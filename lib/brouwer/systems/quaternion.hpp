@@ -47,8 +47,8 @@ Vector3<T> rotation_vector(Quaternion<T> const& q) {
   using math::sqrt;
   T const length = sqrt(q.x() * q.x() + q.y() * q.y() + q.z() * q.z());
   T const side = sign_of(q.w());
-  T const factor = select(length > T(0), T(2) * side * atan2(length, side * q.w()) / select(length > T(0), length, T(1)),
-                          T(2) * side);
+  T const factor = select(length > T(0),
+                          T(2) * side * atan2(length, side * q.w()) / select(length > T(0), length, T(1)), T(2) * side);
   return {factor * q.x(), factor * q.y(), factor * q.z()};
 }
 

@@ -18,14 +18,12 @@ struct RigidBodyState {
   Vector3<T> momentum;
   Quaternion<T> attitude;
 
-  static RigidBodyState from_components(std::span<T const> c) {
-    return {{c[0], c[1], c[2]}, {c[3], c[4], c[5], c[6]}};
-  }
+  static RigidBodyState from_components(std::span<T const> c) { return {{c[0], c[1], c[2]}, {c[3], c[4], c[5], c[6]}}; }
 };
 
 template <class F, class S, class... Others>
-  requires(std::same_as<std::remove_const_t<S>, RigidBodyState<typename S::Scalar>>)
-void for_components(F f, S& a, Others&... others) {
+requires(std::same_as<std::remove_const_t<S>, RigidBodyState<typename S::Scalar>>) void for_components(
+    F f, S& a, Others&... others) {
   for (int i = 0; i < 3; ++i) f(a.momentum[i], others.momentum[i]...);
   f(a.attitude.w(), others.attitude.w()...);
   f(a.attitude.x(), others.attitude.x()...);
@@ -76,7 +74,8 @@ class RigidBody {
   std::array<T, first_integral_count> first_integrals(State const& s) const {
     using math::sqrt;
     auto const spatial = spatial_momentum(s);
-    return {energy(s.momentum), casimir(s.momentum), spatial[0], spatial[1], spatial[2], sqrt(squared_norm(s.attitude))};
+    return {energy(s.momentum), casimir(s.momentum), spatial[0],
+            spatial[1],         spatial[2],          sqrt(squared_norm(s.attitude))};
   }
 
   /// What errors of the first integrals are divided by: their size at the start (H, C, |y| and 1); 1 where that is 0.

@@ -17,8 +17,9 @@ using Quaternion = Eigen::Quaternion<T>;
 /// A state whose increments can be added: it hands its components, and those of its companions, to a
 /// function, one by one and in the same order.
 template <class S>
-concept State = std::copyable<S> && Real<typename S::Scalar> &&
-                requires(S a, S const b) { for_components([](auto&, auto const&) {}, a, b); };
+concept State = std::copyable<S> && Real<typename S::Scalar> && requires(S a, S const b) {
+  for_components([](auto&, auto const&) {}, a, b);
+};
 
 /// value + increment, component by component.
 template <State S>

@@ -1,0 +1,89 @@
+// The studies that are shipped: each runs at toy size, and the claims of the field hold at a size that shows them.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "studies/gtest.hpp"
+
+namespace brouwer {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Each;
+
+fs::path const studies = fs::path(BROUWER_SOURCE) / "studies";
+
+std::vector<std::string> shipped() {
+  std::vector<std::string> names;
+  for (auto const& entry : fs::directory_iterator(studies))
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+struct ShippedStudy : testing::TestWithParam<std::string> {
+  fs::path const file = studies / (GetParam() + ".toml");
+};
+INSTANTIATE_TEST_SUITE_P(Each, ShippedStudy, testing::ValuesIn(shipped()), [](auto const& one) {
+  std::string name = one.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+TEST_P(ShippedStudy, RunsAtToySize) {
+  StudyRun const study(file, {"ensemble.members=4", "integrate.steps=64", "observe.samples.count=8"});
+  EXPECT_FALSE(study.rows().empty());
+  for (auto const& row : study.rows()) {
+    EXPECT_EQ(row.failed, 0) << row.quantity;
+    EXPECT_GT(row.rms_final, 0) << row.quantity << ": the state must have moved, and its arithmetic rounded";
+    EXPECT_LT(row.rms_final, 1e-12) << row.quantity;
+  }
+}
+
+TEST_P(ShippedStudy, WritesDownItsQuestionItsSourceAndWhatItExpects) {
+  auto const read = read_study(file, builtin_catalogue(), {});
+  EXPECT_EQ(read.study.question.back(), '?');
+  EXPECT_FALSE(read.study.source.empty());
+  EXPECT_FALSE(read.expectations.empty());
+}
+
+TEST(EllipticDrift, IsSeenInTheNaiveConstantsAndNotInThreeConsistentOnes) {
+  StudyRun const study(studies / "elliptic-drift.toml", {"ensemble.members=64", "integrate.steps=20_000"});
+  EXPECT_THAT(study.outcomes(), Each(Passed()));
+  EXPECT_GT(std::abs(study.row("energy", {.method = "elliptic-naive"}).drift.t), 30);
+  auto const& consistent = study.row("energy", {.method = "elliptic-three-constants"});
+  EXPECT_EQ(consistent.verdict, Verdict::random_walk);
+  EXPECT_THAT(consistent, GrowsAs(0.5, 0.05));
+}
+
+TEST(EllipticDrift, IsThereWithEveryVariantOfTheEllipticFunctionsInDouble) {
+  StudyRun const study(studies / "elliptic-drift.toml",
+                       {"ensemble.members=64", "integrate.steps=20_000", "integrate.special_functions=['own','gsl']",
+                        "observe.quantities=['energy']"});
+  for (char const* variant : {"own", "gsl"}) {
+    EXPECT_THAT(study.row("energy", {.method = "elliptic-naive", .special_functions = variant}),
+                DriftsBetween(-3e-17, -1.5e-17));
+    EXPECT_THAT(study.row("energy", {.method = "elliptic-three-constants", .special_functions = variant}),
+                HasNoDrift());
+  }
+}
+
+TEST(BrouwersLaw, IsFollowedByTheDiscreteMoserVeselovAlgorithmOverAFactor16InH) {
+  StudyRun const study(studies / "dmv-brouwer-law.toml",
+                       {"ensemble.members=64", "integrate.step=[0.08,0.02,0.005]", "integrate.until=240.0"});
+  auto const diffusion = [&](double h) {
+    return study.row("energy", {.compensation = true, .step = h}).rms_final / std::sqrt(h * 240.0);
+  };
+  // RMS/√(ht) is one number; 64 members tell it to 9 %
+  EXPECT_NEAR(diffusion(0.08) / 3.0e-17, 1, 0.3);
+  EXPECT_NEAR(diffusion(0.02) / 3.0e-17, 1, 0.3);
+  EXPECT_NEAR(diffusion(0.005) / 3.0e-17, 1, 0.3);
+  // without compensation the error of a step does not shrink with it: RMS ∝ √(t/h)
+  auto const plain = [&](double h) {
+    return study.row("energy", {.compensation = false, .step = h}).diffusion.per_sqrt_step;
+  };
+  EXPECT_NEAR(plain(0.08) / plain(0.005), 1, 0.1);
+}
+
+}  // namespace
+}  // namespace brouwer
