@@ -37,7 +37,7 @@ Interval rms_interval(double rms, double mean, double members, double confidence
   return {rms / std::sqrt(relative_chi_squared(1 - tail, f)), rms / std::sqrt(relative_chi_squared(tail, f))};
 }
 
-/// The model of FORMULAS §7 without bounded noise: RMS² = σ²t + (β² + τ²)t².
+/// The model of inference.hpp without bounded noise: RMS² = σ²t + (β² + τ²)t².
 double fitted_rms(Estimates const& e, double t) {
   double const walk = e.diffusion.per_sqrt_step * std::sqrt(t);
   return std::hypot(walk, e.drift.per_step * t, e.persistence.per_step * t);

@@ -8,7 +8,7 @@
 namespace brouwer {
 
 /// RMS = amplitude · hᵖ · t^q over cells that differ in their step h alone; t = steps · h, the system's time.
-/// Round-off without compensation: p = −½, q = ½; in increment form with compensation: p = q = ½ (FORMULAS §7).
+/// Round-off without compensation: p = −½, q = ½; in increment form with compensation: p = q = ½ (inference.hpp).
 struct SweepLaw {
   double step_exponent = 0;  ///< p
   Interval step_interval;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/distributions.hpp"
 #include "analysis/inference.hpp"
 
 namespace brouwer {
@@ -15,8 +14,8 @@ namespace {
 
 constexpr std::int64_t trial_members = 16;
 constexpr std::int64_t trial_steps = 1000;
-constexpr double enough_seconds =
-    0.1;  // a trial twice as long is not made: at most 0.2 s, twice (with a reference, and without)
+/// A trial twice as long is not made: at most 0.2 s, twice (with a reference, and without).
+constexpr double enough_seconds = 0.1;
 
 /// The cell alone, with few members and steps.
 Study shortened(Study study, CellLabels const& cell, std::int64_t steps) {
@@ -74,6 +73,15 @@ Longest longest_trial(Study const& study, Catalogue const& catalogue, CellLabels
   }
 }
 
+/// How much more a member's reference costs than in a trial of so many steps: the same method makes every step, the
+/// exact flow is evaluated at the samples only.
+double times_longer(Study const& study, CellLabels const& cell, std::int64_t steps) {
+  auto const ratio = [](std::int64_t a, std::int64_t b) { return static_cast<double>(a) / static_cast<double>(b); };
+  if (study.reference.kind == Reference::Kind::exact)
+    return ratio(study.samples.count, std::min(study.samples.count, steps));
+  return ratio(cell.steps, steps);
+}
+
 /// Members of one series with finite errors, over all units.
 Ensemble ensemble_of(std::vector<UnitRecord> const& records, std::size_t series) {
   auto const& first = records.front();
@@ -113,8 +121,8 @@ Pilot try_cell(Study const& study, Catalogue const& catalogue, CellLabels const&
   if (alone && references > 0) {
     trial = longest_trial(study, catalogue, cell);
     double const of_members = pilot.seconds_per_step * static_cast<double>(trial.steps * members);
-    pilot.seconds_per_reference_step =
-        std::max(0.0, trial.trial.seconds - of_members) / static_cast<double>(trial.steps * references);
+    double const of_references = std::max(0.0, trial.trial.seconds - of_members) / static_cast<double>(references);
+    pilot.seconds_of_reference = of_references * times_longer(study, cell, trial.steps);
   }
   pilot.rows = estimates_of(trial.trial.records, levels);
   return pilot;
@@ -122,10 +130,8 @@ Pilot try_cell(Study const& study, Catalogue const& catalogue, CellLabels const&
 
 double smallest_visible_drift(double diffusion, std::int64_t members, std::int64_t steps, Levels const& levels) {
   if (members < 2) return std::numeric_limits<double>::quiet_NaN();
-  double const freedom = static_cast<double>(members - 1);
-  double const quantiles =
-      student_upper_quantile(levels.test / 2, freedom) + student_upper_quantile(1 - levels.power, freedom);
-  return diffusion / std::sqrt(static_cast<double>(members) * static_cast<double>(steps)) * quantiles;
+  return diffusion / std::sqrt(static_cast<double>(members) * static_cast<double>(steps)) *
+         visible_noncentrality(static_cast<double>(members - 1), levels);
 }
 
 }  // namespace brouwer

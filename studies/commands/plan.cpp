@@ -18,9 +18,9 @@ int threads_of(RunSettings const& settings) {
 }
 
 double seconds_of(Study const& study, CellLabels const& cell, Pilot const& pilot) {
-  double const of_members = static_cast<double>(study.members) * pilot.seconds_per_step;
-  double const of_reference = static_cast<double>(study.reference.members) * pilot.seconds_per_reference_step;
-  return static_cast<double>(cell.steps) * (of_members + of_reference);
+  double const of_member = static_cast<double>(cell.steps) * pilot.seconds_per_step;
+  return static_cast<double>(study.members) * of_member +
+         static_cast<double>(study.reference.members) * pilot.seconds_of_reference;
 }
 
 /// How many members a row has in the whole study, from how many it had in the trial.
