@@ -72,7 +72,7 @@ TEST(Plan, CutsEachCellIntoUnitsThatHoldEveryMemberOnce) {
     }
     for (std::size_t c = 0; c < plan.cells.size(); ++c) {
       EXPECT_EQ(next[c], members);
-      EXPECT_LE(units[c], 1024);
+      EXPECT_LE(units[c], 256);
     }
   }
 }

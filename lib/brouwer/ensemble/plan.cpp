@@ -48,9 +48,9 @@ std::string reason_to_skip(CellLabels const& cell, Catalogue const& catalogue) {
   return "";
 }
 
-/// Members of a unit: small ensembles in small units, so that threads share them; never more than 1024 units a cell.
+/// Members of a unit: small ensembles in small units, so that threads share them; never more than 256 units a cell.
 std::int64_t unit_size(std::int64_t members) {
-  std::int64_t const base = members < 512 ? 16 : 64, most_units = 1024;
+  std::int64_t const base = members < 512 ? 16 : 64, most_units = 256;
   std::int64_t const needed = (members + most_units - 1) / most_units;
   return std::max(base, (needed + base - 1) / base * base);
 }
