@@ -66,12 +66,13 @@ struct AsJson {
   std::string operator()(Interval i) const { return fmt::format("[{}, {}]", (*this)(i.low), (*this)(i.high)); }
 };
 
+/// Numbers that are not defined are empty cells, infinite ones are inf.
 struct AsCsv {
   std::string operator()(std::string const& text) const { return csv_field(text); }
   std::string operator()(bool yes) const { return yes ? "true" : "false"; }
   std::string operator()(std::int64_t n) const { return fmt::format("{}", n); }
-  std::string operator()(double x) const { return round_trip(x); }
-  std::string operator()(Interval i) const { return round_trip(i.low) + ',' + round_trip(i.high); }
+  std::string operator()(double x) const { return std::isnan(x) ? "" : round_trip(x); }
+  std::string operator()(Interval i) const { return (*this)(i.low) + ',' + (*this)(i.high); }
 };
 
 /// "drift.per_step" → {"drift", "per_step"}; "steps" → {"", "steps"}.

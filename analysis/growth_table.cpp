@@ -82,10 +82,7 @@ std::vector<std::string> words(Estimates const& row, Rows const& rows, Factors c
 }
 
 /// Our own runs are timed in steps, an ensemble from a csv in whatever it says.
-std::string time_unit(Rows const& rows) {
-  bool const steps = std::all_of(rows.begin(), rows.end(), [](auto const& row) { return row.cell.steps > 0; });
-  return steps ? "step" : "unit of time";
-}
+std::string time_unit(Rows const& rows) { return rows.front().time_unit; }
 
 std::vector<std::string> legend(Rows const& rows, Notation notation) {
   bool const plain = notation == Notation::plain;

@@ -135,6 +135,23 @@ Estimates described(Ensemble const& ensemble, Levels const& levels) {
   return e;
 }
 
+/// A row that says so: the other cells of a study are not to suffer.
+Estimates all_failed(Ensemble const& ensemble, Levels const& levels) {
+  Estimates e = described(ensemble, levels);
+  Interval const none{undefined, undefined};
+  e.rms = e.mean = e.mean_error = std::vector<double>(e.times.size(), undefined);
+  e.rms_final = e.smallest_visible_drift = undefined;
+  e.drift = {undefined, none, undefined, undefined, undefined};
+  e.persistence = {undefined, undefined, undefined, undefined};
+  e.diffusion = {undefined, none};
+  e.growth = {undefined, none};
+  e.sentence = fmt::format(
+      "Not resolved: all {} members failed (an error that is not a finite number); is the step too "
+      "large for this method?",
+      e.failed);
+  return e;
+}
+
 void require_shape(Ensemble const& ensemble) {
   if (ensemble.errors.rows() < 1)
     throw InputError(fmt::format("{}: no member has finite errors, so there is nothing to analyse", ensemble.quantity));
@@ -152,6 +169,7 @@ double visible_noncentrality(double dof, Levels const& levels) {
 }
 
 Estimates estimate(Ensemble const& ensemble, Levels const& levels) {
+  if (ensemble.errors.rows() == 0 && ensemble.failed > 0) return all_failed(ensemble, levels);
   require_shape(ensemble);
   auto const units = units_of(ensemble);
   auto const s = sufficient(ensemble, units);

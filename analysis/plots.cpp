@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include <brouwer/error.hpp>
 #include <brouwer/spelling.hpp>
-#include <fstream>
+#include <brouwer/store/whole_file.hpp>
 
 #include "analysis/escape.hpp"
 #include "analysis/figure_family.hpp"
@@ -28,12 +30,7 @@ void make_folder(std::filesystem::path const& folder) {
   if (error) throw RunError(fmt::format("cannot make the folder {} for figures: {}", folder.string(), error.message()));
 }
 
-void write_file(std::filesystem::path const& file, std::string const& content) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << content;
-  stream.close();
-  if (!stream) throw RunError(fmt::format("cannot write {}", file.string()));
-}
+void write_file(std::filesystem::path const& file, std::string const& content) { write_whole(file, content); }
 
 std::vector<FigureSheet> sheets_of(Family const& family) {
   std::vector<FigureSheet> sheets;
@@ -58,8 +55,16 @@ Figures draw_figures(std::vector<Estimates> const& estimates, std::vector<std::v
                      std::filesystem::path const& folder, std::string const& format) {
   auto const chosen = figure_format(format);
   make_folder(folder);
+  auto rows = estimates;  // where every member failed there is nothing to draw
+  auto last = final_errors;
+  last.resize(rows.size());
+  for (std::size_t i = rows.size(); i-- > 0;)
+    if (std::isnan(rows[i].rms_final)) {
+      rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(i));
+      last.erase(last.begin() + static_cast<std::ptrdiff_t>(i));
+    }
   Figures figures;
-  for (auto const& family : families(estimates, final_errors))
+  for (auto const& family : families(rows, last))
     for (auto const& sheet : sheets_of(family)) draw(sheet, chosen, folder, figures);
   return figures;
 }

@@ -112,11 +112,19 @@ std::string superlinear_sentence(Estimates const& e) {
 }
 
 std::string walk_sentence(Estimates const& e) {
-  return fmt::format("the error spreads by {}, {}; {}", diffusion(e), exponent(e), no_drift(e));
+  std::string const caveat = e.persistence.p_low < e.levels.test
+                                 ? fmt::format(
+                                       "; F = {} is below 1: a part of the error is bounded, and the spread per "
+                                       "step is smaller than said",
+                                       brief(e.persistence.F))
+                                 : "";
+  return fmt::format("the error spreads by {}, {}; {}{}", diffusion(e), exponent(e), no_drift(e), caveat);
 }
 
-/// How many members would bring the interval of the exponent to ±0.1: its width goes with 1/√M.
+/// How many members would bring the interval of the exponent to ±0.1: its width goes with 1/√M. Of a handful of members
+/// the width itself says little, and nothing is promised.
 std::string members_needed(Estimates const& e) {
+  if (e.members < fewest_members) return "";
   double const half = (e.growth.interval.high - e.growth.interval.low) / 2;
   double const needed = static_cast<double>(e.members) * std::pow(half / walk_tolerance, 2);
   return fmt::format("; about {} members would give ±{:g}", brief(std::max(needed, 1.0 * fewest_members)),
@@ -143,7 +151,13 @@ std::string obstacle(Estimates const& e) {
       exponent(e));
 }
 
-std::string unresolved_sentence(Estimates const& e) { return obstacle(e) + (e.members < 2 ? "" : "; " + no_drift(e)); }
+std::string unresolved_sentence(Estimates const& e) {
+  if (e.members < 2) return obstacle(e);
+  bool const sloping = e.drift.p < e.levels.test;
+  return obstacle(e) + "; " +
+         (sloping ? fmt::format("its mean has a slope ({}), as an oscillation has between any two samples", t_test(e))
+                  : no_drift(e));
+}
 
 /// A verdict speaks of those that came through; that there were others must be said.
 std::string failures(Estimates const& e) {

@@ -48,9 +48,12 @@ bool spread_has_grown(Estimates const& e, std::size_t since) {
 
 bool has_settled(Estimates const& e) { return !mean_has_moved(e, middle(e)) && !spread_has_grown(e, middle(e)); }
 
-bool bounded(Estimates const& e) {
-  return exponent_counts(e) && far_below_a_walk(e) && e.growth.interval.high < bounded_exponent && has_settled(e);
+/// F and the exponent both contradict growth of any kind: a slope of the mean is then the phase of an oscillation.
+bool does_not_grow(Estimates const& e) {
+  return exponent_counts(e) && far_below_a_walk(e) && e.growth.interval.high < bounded_exponent;
 }
+
+bool bounded(Estimates const& e) { return does_not_grow(e) && has_settled(e); }
 
 bool slopes_persist(Estimates const& e) { return e.persistence.p < e.levels.test; }
 
@@ -67,11 +70,12 @@ struct Rule {
   bool (*applies)(Estimates const&);
 };
 
-constexpr std::array<Rule, 7> rules = {{
+constexpr std::array<Rule, 8> rules = {{
     {Verdict::exact, every_error_is_zero},
     {Verdict::not_resolved, too_little_to_tell},
     {Verdict::faster_than_drift, superlinear},
     {Verdict::bounded, bounded},
+    {Verdict::not_resolved, does_not_grow},
     {Verdict::drift, drift_is_seen},
     {Verdict::persistent_slopes, slopes_persist},
     {Verdict::random_walk, walks},

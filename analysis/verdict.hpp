@@ -27,6 +27,8 @@ constexpr double widest_exponent_half = 0.25;  ///< a wider interval says nothin
 ///     bounded             M ≥ 8, F < 0.5 with P(F' ≤ F) < a, q's interval lies below 0.25, and neither the mean
 ///                         nor the RMS has changed at the level a since the middle of the run in log t (so an offset
 ///                         is no drift, and a walk that just emerges from bounded noise is not called bounded)
+///     not resolved        as bounded, but the mean or the RMS has changed: an oscillation that all members share (a
+///                         truncation error, say) has a significant slope between any two samples, and is no drift
 ///     drift               p of t is below a
 ///     persistent slopes   p of F is below a
 ///     random walk         M ≥ 8, q's interval is at most ±0.25 wide and holds 0.5 or lies inside 0.5 ± 0.1, and F is

@@ -8,7 +8,7 @@
 ///       EXPECT_THAT(energy, brouwer::GrowsAs(0.5, 0.05));
 ///     }
 ///
-/// Link with brouwer_program and gmock. A study's result depends on the study alone (seeds are in it), so such a test
+/// Link with brouwer::program and GTest::gmock. A study's result depends on the study alone (seeds are in it), so such a test
 /// passes always or never, on any number of threads.
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -4,8 +4,8 @@
 
 namespace brouwer {
 
-/// The candidate nearest to `word` (Damerau–Levenshtein distance, at most a third of its length), or "" if none is
-/// near.
+/// The candidate nearest to `word`, or "" if none is near: optimal string alignment distance, at most 2 or a third of the
+/// word's length, whichever is more; case, hyphens and underscores do not count.
 std::string nearest(std::string const& word, std::vector<std::string> const& candidates);
 
 /// "; did you mean 'x'?" where one is near, otherwise "; known are a, b, c": the end of a complaint about a name.

@@ -48,6 +48,17 @@ void add_set(CLI::App& app, std::vector<Override>& overrides) {
       ->take_all();
 }
 
+/// A whole number from `least` on.
+CLI::Validator at_least(std::int64_t least) {
+  return {[least](std::string& text) {
+            std::int64_t number = 0;
+            bool const whole = CLI::detail::lexical_cast(text, number);
+            return whole && number >= least ? std::string()
+                                            : fmt::format("expected a whole number from {}, found '{}'", least, text);
+          },
+          fmt::format("from {}", least)};
+}
+
 void add_run_settings(CLI::App& app, RunSettings& settings) {
   app.add_option("-o,--output", settings.folder, "folder of the results (default: results/NAME)")->type_name("DIR");
   add_override(app, settings.overrides, "--members", "ensemble.members", "members in place of the study's");
@@ -186,9 +197,7 @@ void CommandLine::add_integrate() {
   add_override(*app, overrides, "--steps", "integrate.steps", "how many steps");
   add_override(*app, overrides, "--until", "integrate.until", "how long, in the system's unit of time");
   add_set(*app, overrides);
-  app->add_option("--every", command->every, "steps between two lines")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  app->add_option("--every", command->every, "steps between two lines")->check(at_least(1))->capture_default_str();
   app->add_flag("--hex", command->hexadecimal, "hexadecimal floating point: exact in every arithmetic");
 }
 

@@ -20,6 +20,16 @@ std::vector<CellLabels> cells_of(std::vector<Estimates> const& rows) {
   return cells;
 }
 
+/// A part of a result is not to pass for the whole.
+void say_if_unfinished(Results const& results) {
+  std::int64_t finished = 0;
+  for (std::size_t cell = 0; cell < results.cells(); ++cell) finished += results.finished_members(cell);
+  auto const planned = static_cast<std::int64_t>(results.cells()) * results.planned_members();
+  if (finished < planned)
+    fmt::print(stderr, "brouwer: {} is unfinished: {} of {} members in {} cells; run the study again to complete it\n",
+               results.folder().string(), finished, planned, results.cells());
+}
+
 }  // namespace
 
 std::vector<double> final_errors_of(Ensemble const& ensemble) {
@@ -37,6 +47,7 @@ Findings::Findings(std::vector<std::string> const& folders, Levels const& levels
 
 void Findings::analyse(std::size_t results) {
   Results const& stored = results_[results];
+  say_if_unfinished(stored);
   for (std::size_t cell = 0; cell < stored.cells(); ++cell) {
     if (stored.finished_members(cell) == 0) continue;
     for (auto const& quantity : stored.quantities(cell)) {

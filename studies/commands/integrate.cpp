@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <mpfr.h>
 
+#include <algorithm>
+
 #include <brouwer/ensemble/start.hpp>
 #include <brouwer/error.hpp>
 
@@ -35,7 +37,7 @@ std::string hexadecimal(Widest const& x) {
 }
 
 /// Names of the first integrals, component by component, as Trajectory::first_integrals orders them.
-std::vector<std::string> integral_names(SystemEntry const& system) {
+std::vector<std::string> integral_names(SystemDescription const& system) {
   std::vector<std::string> names;
   for (auto const& quantity : system.quantities)
     if (!quantity.needs_reference) names.insert(names.end(), quantity.components.begin(), quantity.components.end());
@@ -53,12 +55,15 @@ class Tracer {
         state_(catalogue.system(cell.system).state_components.size()),
         integrals_(integral_names_.size()) {}
 
-  void header(SystemEntry const& system) const {
+  void header(SystemDescription const& system) const {
     fmt::print("t,{},{}\n", fmt::join(system.state_components, ","), fmt::join(integral_names_, ","));
   }
 
   void line(Trajectory const& trajectory, std::int64_t steps) {
     trajectory.state(state_);
+    if (!std::all_of(state_.begin(), state_.end(), [](Widest const& x) { return isfinite(x); }))
+      throw RunError(
+          fmt::format("the state is no longer finite at step {}: is the step too large for this method?", steps));
     trajectory.first_integrals(integrals_);
     std::string text = written(Widest(step_) * steps);
     for (auto const* values : {&state_, &integrals_})
@@ -82,7 +87,7 @@ CellLabels first_cell(Plan const& plan, std::string const& study) {
   throw InputError(fmt::format("{}: there is nothing to integrate: {}", study, reason));
 }
 
-Start start_of(IntegrateCommand const& command, Study const& study, SystemEntry const& system) {
+Start start_of(IntegrateCommand const& command, Study const& study, SystemDescription const& system) {
   if (!command.member) return nominal_start(study, system);
   if (*command.member >= study.members)
     throw InputError(fmt::format("--member {}: the study has members 0 to {}", *command.member, study.members - 1));
@@ -96,7 +101,7 @@ int integrate(IntegrateCommand const& command, Catalogue const& catalogue) {
   overrides.push_back(
       {"observe.samples.count", "1", "integrate"});  // samples are of ensembles: any number of steps will do
   StudyFile const file = read_study(command.study, catalogue, overrides);
-  SystemEntry const& system = catalogue.system(file.study.system);
+  SystemDescription const& system = catalogue.system(file.study.system);
   CellLabels const cell = first_cell(file.plan, command.study);
   auto const trajectory =
       begin_trajectory(catalogue, cell, rounded_to(cell.arithmetic, start_of(command, file.study, system)), true);

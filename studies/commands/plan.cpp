@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include <brouwer/ensemble/run.hpp>
 #include <brouwer/error.hpp>
-#include <thread>
 
 #include "analysis/factors.hpp"
 #include "analysis/numbers.hpp"
@@ -12,10 +12,6 @@
 
 namespace brouwer {
 namespace {
-
-int threads_of(RunSettings const& settings) {
-  return settings.threads > 0 ? settings.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
 
 double seconds_of(Study const& study, CellLabels const& cell, Pilot const& pilot) {
   double const of_member = static_cast<double>(cell.steps) * pilot.seconds_per_step;
@@ -52,7 +48,7 @@ int plan(PlanCommand const& command, Catalogue const& catalogue) {
     print_cell(file, catalogue, cell, pilot, command.settings.levels);
     seconds += seconds_of(file.study, cell, pilot);
   }
-  int const threads = threads_of(command.settings);
+  int const threads = threads_of({command.settings.threads, nullptr});
   fmt::print("\nAll of it takes about {} on {} threads.\n", duration_text(seconds / threads), threads);
   Levels const& levels = command.settings.levels;
   fmt::print("Visible: seen at the level {} with a chance of {}, if the error is the random walk of a short trial.\n",

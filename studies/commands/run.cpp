@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <system_error>
+
 #include "analysis/tables.hpp"
 #include "studies/commands/commands.hpp"
 #include "studies/commands/findings.hpp"
@@ -17,7 +20,7 @@ int run(RunCommand const& command, Catalogue const& catalogue) {
   print_verdicts(findings.rows());
   auto const outcomes = findings.check(file.expectations);
   print_outcomes(outcomes, file.unjudged);
-  std::fflush(stdout);
+  if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), "standard output");
   if (!command.no_figures) draw_and_say(findings.rows(), findings.final_errors(), folder / "figures", "svg");
   return exit_status(outcomes);
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <brouwer/error.hpp>
+#include <brouwer/store/whole_file.hpp>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -18,10 +19,6 @@ std::string read_text(std::filesystem::path const& file) {
   return text.str();
 }
 
-void write_text(std::filesystem::path const& file, std::string const& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text << std::flush;
-  if (!stream) throw RunError(fmt::format("{}: cannot be written ({})", file.string(), std::strerror(errno)));
-}
+void write_text(std::filesystem::path const& file, std::string const& text) { write_whole(file, text); }
 
 }  // namespace brouwer

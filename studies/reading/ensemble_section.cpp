@@ -26,7 +26,7 @@ void read_perturbation(Section& perturb, Field const& field, Study& study) {
 }
 
 /// An ensemble lives on its differences.
-void refuse_equal_members(Section& ensemble, SystemEntry const& system, Study const& study) {
+void refuse_equal_members(Section& ensemble, SystemDescription const& system, Study const& study) {
   auto const start = std::find_if_not(system.fields.begin(), system.fields.end(), std::mem_fn(&Field::parameter));
   std::string const example = start == system.fields.end() ? system.fields.front().name : start->name;
   ensemble.complain(
@@ -37,7 +37,7 @@ void refuse_equal_members(Section& ensemble, SystemEntry const& system, Study co
 
 }  // namespace
 
-void read_ensemble(Section& root, SystemEntry const& system, Study& study) {
+void read_ensemble(Section& root, SystemDescription const& system, Study& study) {
   Section ensemble = root.section("ensemble");
   study.members = ensemble.value("members", whole(1, most_members)).value_or(Study{}.members);
   study.seed = static_cast<std::uint64_t>(

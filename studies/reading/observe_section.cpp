@@ -48,7 +48,7 @@ void refuse_narrow_reference(Section& observe, Catalogue const& catalogue, Study
                       study.reference.arithmetic, reference_bits, working, catalogue.arithmetic(working).bits));
 }
 
-void refuse_missing_flow(Section& observe, SystemEntry const& system, Study const& study) {
+void refuse_missing_flow(Section& observe, SystemDescription const& system, Study const& study) {
   if (study.reference.kind == Reference::Kind::exact && !system.has_exact_flow)
     observe.complain("reference", fmt::format(": the exact flow of {} is not known; expected an arithmetic such as "
                                               "\"float128\": the same method in it",
@@ -56,14 +56,14 @@ void refuse_missing_flow(Section& observe, SystemEntry const& system, Study cons
 }
 
 /// Everything that can be observed with the reference that there is.
-std::vector<std::string> observable(SystemEntry const& system, Reference const& reference) {
+std::vector<std::string> observable(SystemDescription const& system, Reference const& reference) {
   std::vector<std::string> names;
   for (auto const& quantity : system.quantities)
     if (!quantity.needs_reference || reference.kind != Reference::Kind::none) names.push_back(quantity.name);
   return names;
 }
 
-void refuse_missing_reference(Section& observe, SystemEntry const& system, Study const& study) {
+void refuse_missing_reference(Section& observe, SystemDescription const& system, Study const& study) {
   if (study.reference.kind != Reference::Kind::none) return;
   for (auto const& quantity : system.quantities) {
     bool const wanted =
@@ -85,7 +85,7 @@ void read_samples(Section& observe, Study& study) {
 
 }  // namespace
 
-void read_observe(Section& root, Catalogue const& catalogue, SystemEntry const& system, Study& study) {
+void read_observe(Section& root, Catalogue const& catalogue, SystemDescription const& system, Study& study) {
   Section observe = root.section("observe");
   study.quantities = observe.levels("quantities", one_of("quantity", names_of(system.quantities)));
   read_reference(observe, catalogue, study);

@@ -30,7 +30,7 @@ void check_lengths(Section& root, Study const& study) {
 void read_study_sections(Section& root, Catalogue const& catalogue, Study& study) {
   study.question = root.value("question", text()).value_or("");
   study.source = root.value("source", text()).value_or("");
-  SystemEntry const* system = read_system(root, catalogue, study);
+  SystemDescription const* system = read_system(root, catalogue, study);
   for (auto const* known : {"integrate", "ensemble", "observe", "expect"}) root.find(known);
   root.refuse_unknown_keys();
   if (!system) return;

@@ -18,13 +18,13 @@ void read_field(Section& section, Field const& field, Study& study) {
     study.values[field.name] = field.standard;
 }
 
-bool complete(SystemEntry const& system, Study const& study) {
+bool complete(SystemDescription const& system, Study const& study) {
   return std::all_of(system.fields.begin(), system.fields.end(),
                      [&](Field const& field) { return study.values.contains(field.name); });
 }
 
 /// [system.NAME]: exactly one, known to the catalogue.
-SystemEntry const* read_system_name(Section& systems, Catalogue const& catalogue) {
+SystemDescription const* read_system_name(Section& systems, Catalogue const& catalogue) {
   auto const keys = systems.keys();
   auto const known = names_of(catalogue.systems);
   if (keys.size() != 1) {
@@ -41,9 +41,9 @@ SystemEntry const* read_system_name(Section& systems, Catalogue const& catalogue
 
 }  // namespace
 
-SystemEntry const* read_system(Section& root, Catalogue const& catalogue, Study& study) {
+SystemDescription const* read_system(Section& root, Catalogue const& catalogue, Study& study) {
   Section systems = root.section("system");
-  SystemEntry const* system = read_system_name(systems, catalogue);
+  SystemDescription const* system = read_system_name(systems, catalogue);
   if (!system) return nullptr;
   study.system = system->name;
   Section fields = systems.section(system->name);

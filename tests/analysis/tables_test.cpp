@@ -118,9 +118,10 @@ TEST(TextTable, MentionsMembersThatWereLeftOut) {
 TEST(TextTable, OfAnEnsembleFromElsewhereClaimsNothingAboutIt) {
   auto row = presented_estimates("", "error", 0);
   row.cell = {};
+  row.time_unit = "time unit";
   auto const text = render_table({row}, TableFormat::text);
   EXPECT_THAT(text, Not(HasSubstr("compensated")));
-  EXPECT_THAT(text, HasSubstr("per unit of time"));
+  EXPECT_THAT(text, HasSubstr("per time unit"));
 }
 
 TEST(MarkdownTable, HasAsManyCellsInEveryRowAsInItsHead) {

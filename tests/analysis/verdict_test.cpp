@@ -107,8 +107,8 @@ TEST(Verdict, ASignificantTIsNoDriftWhileABoundedErrorsMeanStays) {
   auto e = bounded();
   e.drift.p = 1e-9;  // an offset, the same at the end as before
   EXPECT_EQ(verdict_of(e), Verdict::bounded);
-  e.mean.back() = 9e-17;
-  EXPECT_EQ(verdict_of(e), Verdict::drift);
+  e.mean.back() = 9e-17;  // an oscillation that all share, perhaps: F and the exponent contradict a drift
+  EXPECT_EQ(verdict_of(e), Verdict::not_resolved);
 }
 
 TEST(Verdict, AWalkFarBelowItsIncrementsIsNotResolved) {

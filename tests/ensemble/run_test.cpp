@@ -157,6 +157,18 @@ TEST(Reference, InWiderArithmeticIsTheSameMethodSoThatTruncationCancels) {
   EXPECT_GT(worst({Reference::Kind::exact, "", 3}), 1e-4);  // with the truncation error of order 2
 }
 
+TEST(FinalState, HoldsOnlyWhatWasIntegrated) {
+  auto study = small_study();
+  study.quantities = {"energy"};
+  study.reference = {};
+  auto const catalogue = builtin_catalogue();
+  auto const plan = make_plan(study, catalogue);
+  Progress progress;
+  auto const record = compute_unit(study, catalogue, plan, plan.units[0], "hash", progress, nullptr).record;
+  EXPECT_EQ(record.state_names, (std::vector<std::string>{"y1", "y2", "y3"}));
+  EXPECT_EQ(record.final_state.size(), 3U * 16U);
+}
+
 TEST(FailedMember, IsMarkedAndLeavesTheOthersAlone) {
   auto study = small_study();
   auto const catalogue = builtin_catalogue();

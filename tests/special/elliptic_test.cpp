@@ -21,12 +21,12 @@ double random_modulus(Uniform& uniform, int i) {
   return i % 4 != 0 ? uniform(0, 1) : 1 - std::pow(10.0, uniform(-15, -1));
 }
 
-TEST(JacobiEllipticInMpfr, AgreesWithBoostAt77Digits) {
+TEST(JacobiEllipticInMpfr, AgreesWithBoostTo55Digits) {
   Uniform uniform(1);
   for (int i = 0; i < 40; ++i) {
     Judge const k = random_modulus(uniform, i), u = uniform(-8, 8);
     auto const ours = jacobi_elliptic(u, k), boosts = BoostElliptic::jacobi(u, k);
-    // Boost loses digits near k = 1; 60 of 77 remain over these moduli
+    // Boost loses digits near k = 1; 55 of 77 remain over these moduli
     Judge const bound("1e-55");
     EXPECT_LT(abs(Judge(ours.sn - boosts.sn)), bound) << "u = " << u << ", k = " << k;
     EXPECT_LT(abs(Judge(ours.cn - boosts.cn)), bound);
@@ -89,7 +89,7 @@ TEST(JacobiElliptic, ReturnsAfterAPeriod) {
   EXPECT_LT(abs(Judge(now.dn - later.dn)), Judge("1e-75"));
 }
 
-TEST(EllipticF, InvertsSnAndAgreesWithBoostAt77Digits) {
+TEST(EllipticF, InvertsSnAndAgreesWithBoostTo55Digits) {
   Uniform uniform(4);
   for (int i = 0; i < 40; ++i) {
     Judge const k = random_modulus(uniform, i), phi = uniform(-3.1, 3.1);
@@ -144,12 +144,17 @@ TEST(EllipticVariants, AgreeWithOneAnotherInDouble) {
     }
 }
 
-TEST(EllipticVariants, AnswerOutsideTheDomainWithNaNAndWithoutEndingTheProgram) {
-  gsl_set_error_handler_off();
+TEST(EllipticVariants, NeitherThrowNorAbortOutsideTheDomain) {
+  for (double k : {-0.5, 1.0 + 1e-15, 1.5, std::numeric_limits<double>::quiet_NaN()})
+    for (double u : {0.0, 0.3, 1.57, 1e300}) {
+      EXPECT_NO_THROW(OwnElliptic::jacobi(u, k));
+      EXPECT_NO_THROW(OwnElliptic::f(u, k));
+      EXPECT_NO_THROW(GslElliptic::jacobi(u, k));
+      EXPECT_NO_THROW(GslElliptic::f(u, k));
+      EXPECT_NO_THROW(BoostElliptic::jacobi(u, k));
+      EXPECT_NO_THROW(BoostElliptic::f(u, k));
+    }
   EXPECT_TRUE(std::isnan(GslElliptic::jacobi(0.3, 1.5).sn));
-  EXPECT_TRUE(std::isnan(GslElliptic::f(0.3, 1.5)) || std::isfinite(GslElliptic::f(0.3, 1.5)));
-  EXPECT_NO_THROW(BoostElliptic::jacobi(0.3, -0.5));
-  EXPECT_NO_THROW(BoostElliptic::f(1.57, 1.5));
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ TEST(EllipticDrift, IsSeenInTheNaiveConstantsAndNotInThreeConsistentOnes) {
   EXPECT_THAT(consistent, GrowsAs(0.5, 0.05));
 }
 
-TEST(EllipticDrift, IsThereWithEveryVariantOfTheEllipticFunctionsInDouble) {
+TEST(EllipticDrift, IsThereWithOwnAndGslFunctions) {
   StudyRun const study(studies / "elliptic-drift.toml",
                        {"ensemble.members=64", "integrate.steps=20_000", "integrate.special_functions=['own','gsl']",
                         "observe.quantities=['energy']"});
@@ -66,6 +66,20 @@ TEST(EllipticDrift, IsThereWithEveryVariantOfTheEllipticFunctionsInDouble) {
     EXPECT_THAT(study.row("energy", {.method = "elliptic-three-constants", .special_functions = variant}),
                 HasNoDrift());
   }
+}
+
+TEST(EllipticForms, GrowAsTheirStudyExpects) {
+  StudyRun const study(studies / "elliptic-forms.toml",
+                       {"integrate.until=400.0", "observe.quantities=['energy']", "observe.reference='none'"});
+  for (auto const& outcome : study.outcomes()) {
+    if (!outcome.claim.starts_with("energy")) continue;
+    EXPECT_THAT(outcome, Passed());
+  }
+}
+
+TEST(Bodies, DriftAsTheirStudyExpects) {
+  StudyRun const study(studies / "bodies.toml", {"ensemble.members=128"});
+  EXPECT_THAT(study.outcomes(), Each(Passed()));
 }
 
 TEST(BrouwersLaw, IsFollowedByTheDiscreteMoserVeselovAlgorithmOverAFactor16InH) {

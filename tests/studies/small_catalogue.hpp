@@ -31,7 +31,7 @@ inline MethodEntry small_method(std::string name, std::string system, bool compe
 
 /// A catalogue of names alone, to read studies with: nothing in it can run.
 inline Catalogue small_catalogue() {
-  SystemEntry body;
+  SystemDescription body;
   body.name = "rigid_body";
   body.title = "the free rigid body";
   body.fields = {small_field("inertia", true, {0.6, 0.8, 1.0}), small_field("momentum", false, {})};

@@ -24,9 +24,9 @@ void add_rigid_body(Catalogue& catalogue) {
                                                "G. Vilmart, J. Comput. Phys. 227 (2008) 7083", libm}));
   add(method<EllipticBranchFree>({"elliptic-branch-free", "rigid_body",
                                   "addition theorem without modulus, sign or branch, new values",
-                                  "brouwer, lib/brouwer/systems/addition_step.hpp", libm}));
+                                  "brouwer, lib/brouwer/integrators/addition_step.hpp", libm}));
   add(method<EllipticIncrement>({"elliptic-increment", "rigid_body", "the same as increments, free of cancellation",
-                                 "brouwer, lib/brouwer/systems/addition_step.hpp", libm}));
+                                 "brouwer, lib/brouwer/integrators/addition_step.hpp", libm}));
   add(method<Dmv2>({"dmv-2", "rigid_body", "discrete Moser-Veselov algorithm in quaternions",
                     "E. Hairer, G. Vilmart, J. Phys. A 39 (2006) 13225"}));
 }

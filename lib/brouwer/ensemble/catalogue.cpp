@@ -34,7 +34,7 @@ std::vector<ArithmeticEntry> arithmetic_entries() {
 
 }  // namespace
 
-SystemEntry const& Catalogue::system(std::string const& name) const { return find(systems, "system", name); }
+SystemDescription const& Catalogue::system(std::string const& name) const { return find(systems, "system", name); }
 
 MethodEntry const& Catalogue::method(std::string const& system, std::string const& name) const {
   return find(methods, "method", name, system);
@@ -68,7 +68,6 @@ bool variant_exists(std::string const& variant, std::string const& arithmetic) {
 }
 
 Catalogue builtin_catalogue() {
-  gsl_set_error_handler_off();  // GSL's default is to abort the program
   Catalogue catalogue;
   catalogue.arithmetics = arithmetic_entries();
   add_rigid_body(catalogue);

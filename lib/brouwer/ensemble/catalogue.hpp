@@ -12,9 +12,6 @@
 
 namespace brouwer {
 
-/// A system as data: what a study may say about it.
-using SystemEntry = SystemDescription;
-
 /// A method as data, and the one function that turns names into a running trajectory.
 struct MethodEntry {
   std::string name;                     ///< elliptic-naive
@@ -38,12 +35,12 @@ struct ArithmeticEntry {
 /// a user's own program adds entries and hands the catalogue to the `brouwer` command line.
 class Catalogue {
  public:
-  std::vector<SystemEntry> systems;
+  std::vector<SystemDescription> systems;
   std::vector<MethodEntry> methods;
   std::vector<ArithmeticEntry> arithmetics;
 
-  /// @throws InputError "… no method 'x'; nearest: 'y'" where there is no such name.
-  SystemEntry const& system(std::string const& name) const;
+  /// @throws InputError "there is no method 'x'; did you mean 'y'?" where there is no such name.
+  SystemDescription const& system(std::string const& name) const;
   MethodEntry const& method(std::string const& system, std::string const& name) const;
   ArithmeticEntry const& arithmetic(std::string const& name) const;
   Quantity const& quantity(std::string const& system, std::string const& name) const;

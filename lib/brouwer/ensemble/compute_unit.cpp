@@ -60,7 +60,7 @@ class Comparison {
 };
 
 /// Names of the numbers of some fields: inertia-1, inertia-2 …
-std::vector<std::string> parameter_names(SystemEntry const& system) {
+std::vector<std::string> parameter_names(SystemDescription const& system) {
   std::vector<std::string> names;
   for (auto const& field : system.fields)
     for (int i = 1; field.parameter && i <= field.size; ++i)
@@ -91,7 +91,7 @@ class UnitWork {
     record.start_names = parameter_names(system_);
     record.start_names.insert(record.start_names.end(), system_.state_components.begin(),
                               system_.state_components.end());
-    record.state_names = system_.state_components;
+    record.state_names = integrated_components();
     for (std::int64_t i = 0; i < unit_.members; ++i)
       if (!run_member(i, record)) return {};
     record.series = observer_.take_series();
@@ -108,9 +108,17 @@ class UnitWork {
 
     std::vector<Widest> last(system_.state_components.size());
     trajectory->state(last);
-    std::transform(last.begin(), last.end(), std::back_inserter(record.final_state),
+    auto const end = last.begin() + std::ssize(record.state_names);
+    std::transform(last.begin(), end, std::back_inserter(record.final_state),
                    [](Widest const& v) { return static_cast<double>(v); });
     return true;
+  }
+
+  /// The components of the state that are integrated in this unit.
+  std::vector<std::string> integrated_components() const {
+    auto names = system_.state_components;
+    if (!observer_.needs_attitude()) names.resize(system_.always_integrated);
+    return names;
   }
 
   /// false if stopped midway
@@ -132,7 +140,7 @@ class UnitWork {
 
   Study const& study_;
   Catalogue const& catalogue_;
-  SystemEntry const& system_;
+  SystemDescription const& system_;
   CellLabels cell_;
   Unit unit_;
   Watch watch_;

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 
 #include <brouwer/ensemble/trajectory.hpp>
@@ -34,27 +36,31 @@ class Member final : public Trajectory {
   void state(std::span<Widest> components) const override { write(widened(), components); }
 
   void first_integrals(std::span<Widest> values) const override {
+    require_room(values.size(), System::first_integral_count);
     auto const integrals = system_.first_integrals(widened());
     std::transform(integrals.begin(), integrals.end(), values.begin(), [](W const& v) { return Widest(v); });
   }
 
   void first_integral_errors(std::span<double> errors) const override {
+    require_room(errors.size(), System::first_integral_count);
     auto const integrals = system_.first_integrals(widened());
     for (std::size_t i = 0; i < integrals.size(); ++i)
       errors[i] = static_cast<double>(W((integrals[i] - start_integrals_[i]) / scales_[i]));
   }
 
   void state_errors(std::span<Widest const> reference, std::span<double> errors) const override {
+    require_room(errors.size(), System::state_error_count);
     auto const e = system_.state_errors(widened(), read(reference));
     std::transform(e.begin(), e.end(), errors.begin(), [](W const& v) { return static_cast<double>(v); });
   }
 
   void exact_state(std::int64_t steps, std::span<Widest> components) const override {
     if constexpr (HasExactFlow<WideSystem>) {
-      if (!flow_) flow_ = std::make_shared<typename ExactFlow<WideSystem>::type>(system_, start_);
-      write((*flow_)(W(W(steps) * W(step_))), components);
+      if (!exact_.flow) exact_.flow = std::make_shared<typename ExactFlow<WideSystem>::type>(system_, start_);
+      write((*exact_.flow)(W(W(steps) * W(step_))), components);
     } else {
-      std::fill(components.begin(), components.end(), std::numeric_limits<Widest>::quiet_NaN());
+      (void)steps, (void)components;
+      throw std::logic_error("the system has no exact flow");
     }
   }
 
@@ -69,6 +75,13 @@ class Member final : public Trajectory {
     else
       for_components([](W& w, T const& v) { w = W(v); }, wide, now_);
     return wide;
+  }
+
+  /// A system's description and its class must speak of the same quantities: a user's own may not.
+  static void require_room(std::size_t room, std::size_t needed) {
+    if (room != needed)
+      throw std::logic_error("the system gives " + std::to_string(needed) + " numbers where its description has " +
+                             std::to_string(room));
   }
 
   static void write(WideState state, std::span<Widest> components) {
@@ -90,8 +103,7 @@ class Member final : public Trajectory {
   WideState start_;
   std::array<W, System::first_integral_count> start_integrals_, scales_;
   // built when first asked for: most members have no reference
-  mutable std::conditional_t<HasExactFlow<WideSystem>, std::shared_ptr<typename ExactFlow<WideSystem>::type>, int>
-      flow_{};
+  mutable FlowHolder<WideSystem> exact_;
 };
 
 /// A trajectory of stepper S from a request: the doubles of the request are rounded to the arithmetic here, and

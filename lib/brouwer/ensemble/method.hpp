@@ -3,6 +3,7 @@
 #include <brouwer/ensemble/catalogue.hpp>
 #include <brouwer/ensemble/member.hpp>
 #include <brouwer/special/elliptic_variants.hpp>
+#include <brouwer/systems/rigid_body_flow.hpp>
 
 namespace brouwer {
 

@@ -19,7 +19,7 @@ Series empty_series(Quantity const& quantity, std::string const& component, std:
 
 }  // namespace
 
-Observer::Observer(SystemEntry const& system, std::vector<std::string> const& quantities, std::int64_t members,
+Observer::Observer(SystemDescription const& system, std::vector<std::string> const& quantities, std::int64_t members,
                    std::int64_t compared, std::size_t samples)
     : samples_(samples) {
   for (bool const with_reference : {false, true}) {

@@ -11,7 +11,7 @@ namespace brouwer {
 class Observer {
  public:
   /// @param compared  how many of the unit's members have a reference
-  Observer(SystemEntry const& system, std::vector<std::string> const& quantities, std::int64_t members,
+  Observer(SystemDescription const& system, std::vector<std::string> const& quantities, std::int64_t members,
            std::int64_t compared, std::size_t samples);
 
   /// Does anything observed need the attitude?

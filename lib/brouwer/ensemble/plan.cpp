@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <brouwer/ensemble/start.hpp>
 #include <brouwer/error.hpp>
 #include <brouwer/store/folder.hpp>
 
@@ -91,6 +92,8 @@ Plan make_plan(Study const& study, Catalogue const& catalogue) {
       continue;
     }
     check_reference(study, catalogue, cell);
+    if (rounded_to(cell.arithmetic, cell.step) == 0)
+      throw InputError(fmt::format("step = {} is 0 in {}", cell.step, cell.arithmetic));
     sample_steps(study.samples, cell.steps);  // complains where there are too few steps
     plan.cells.push_back(cell);
   }

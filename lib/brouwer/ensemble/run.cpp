@@ -14,11 +14,15 @@
 namespace brouwer {
 namespace {
 
-/// Is this unit there, whole, and this study's? A damaged file is said, not overwritten.
-bool finished(std::filesystem::path const& file, std::string const& hash) {
+/// Is this unit there, whole, and the planned one? A damaged or misplaced file is said, not overwritten.
+bool finished(std::filesystem::path const& file, std::string const& hash, Unit const& unit) {
   if (!std::filesystem::exists(file)) return false;
-  if (read_unit_header(file).study_hash == hash) return true;
-  throw RunError(file.string() + " belongs to another study: it is neither used nor overwritten");
+  auto const header = read_unit_header(file);
+  if (header.study_hash != hash)
+    throw RunError(file.string() + " belongs to another study: it is neither used nor overwritten");
+  if (header.first_member != unit.first_member || header.members != unit.members)
+    throw RunError(file.string() + " does not hold the members that its name says; delete it to have it computed anew");
+  return true;
 }
 
 /// Member-steps of a unit, with those of its reference.
@@ -51,15 +55,17 @@ class FirstFailure {
 
 }  // namespace
 
+int threads_of(RunOptions const& options) { return options.threads > 0 ? options.threads : omp_get_max_threads(); }
+
 bool run(Study const& study, std::string const& study_text, Catalogue const& catalogue, Plan const& plan,
          std::filesystem::path const& folder, RunOptions const& options, Progress& progress) {
-  int const threads = options.threads > 0 ? options.threads : omp_get_max_threads();
+  int const threads = threads_of(options);
   std::string const hash = study_hash(study);
   create_result_folder(folder, hash, canonical_text(study), study_text, provenance(threads), plan.cells);
 
   std::vector<Unit> missing;
   for (auto const& unit : plan.units)
-    if (!finished(folder / unit.file, hash)) missing.push_back(unit);
+    if (!finished(folder / unit.file, hash, unit)) missing.push_back(unit);
   progress.units_total = static_cast<std::int64_t>(plan.units.size());
   progress.units_before = progress.units_total - static_cast<std::int64_t>(missing.size());
   progress.steps_total = 0;

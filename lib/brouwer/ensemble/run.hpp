@@ -2,7 +2,6 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <string>
 
 #include <brouwer/ensemble/plan.hpp>
@@ -22,8 +21,11 @@ struct RunOptions {
   std::atomic<bool> const* stop = nullptr;  ///< set by a signal handler: workers leave, finished units stay
 };
 
+/// How many threads a run with these options uses.
+int threads_of(RunOptions const& options);
+
 /// One unit, computed here and now: depends on (study, unit) alone.
-/// With `stop` set midway the record is incomplete and `finished` false.
+/// With `stop` set midway the record is empty and `finished` false.
 struct UnitOutcome {
   bool finished = false;
   UnitRecord record;

@@ -55,7 +55,8 @@ double perturbed(double x, Perturbation const& p, Draw const& draw) {
   return x;
 }
 
-FieldValues draw_values(Study const& study, SystemEntry const& system, std::int64_t member, std::uint64_t attempt) {
+FieldValues draw_values(Study const& study, SystemDescription const& system, std::int64_t member,
+                        std::uint64_t attempt) {
   FieldValues values = study.values;
   for (std::size_t f = 0; f < system.fields.size(); ++f) {
     auto const found = study.perturb.find(system.fields[f].name);
@@ -69,7 +70,7 @@ FieldValues draw_values(Study const& study, SystemEntry const& system, std::int6
   return values;
 }
 
-Start start_of(SystemEntry const& system, FieldValues const& values) {
+Start start_of(SystemDescription const& system, FieldValues const& values) {
   Start start;
   for (auto const& field : system.fields) {
     auto const& numbers = values.at(field.name);
@@ -81,9 +82,9 @@ Start start_of(SystemEntry const& system, FieldValues const& values) {
 
 }  // namespace
 
-Start nominal_start(Study const& study, SystemEntry const& system) { return start_of(system, study.values); }
+Start nominal_start(Study const& study, SystemDescription const& system) { return start_of(system, study.values); }
 
-Start member_start(Study const& study, SystemEntry const& system, std::int64_t member) {
+Start member_start(Study const& study, SystemDescription const& system, std::int64_t member) {
   constexpr std::uint64_t most_attempts = 1000;
   std::string reason;
   for (std::uint64_t attempt = 0; attempt < most_attempts; ++attempt) {

@@ -15,12 +15,12 @@ struct Start {
 };
 
 /// The study's values as they stand, without perturbation.
-Start nominal_start(Study const& study, SystemEntry const& system);
+Start nominal_start(Study const& study, SystemDescription const& system);
 
 /// Member `member`'s start: the nominal one, perturbed with random numbers that depend on (seed, member)
 /// alone (Philox 4×64, Random123). A draw that the system refuses (an impossible inertia) is drawn again
 /// from the same stream; InputError after 1000 refusals.
-Start member_start(Study const& study, SystemEntry const& system, std::int64_t member);
+Start member_start(Study const& study, SystemDescription const& system, std::int64_t member);
 
 /// What `arithmetic` makes of doubles: they are rounded where it is narrower (float), and the same elsewhere. A member
 /// and its reference start from these, so that their difference is round-off of the steps alone.

@@ -75,9 +75,9 @@ class Dmv2 {
       T const c2 = alpha * p[1] + coupling_[1] * c[2] * c1;
       T const c3 = alpha * p[2] + coupling_[2] * c1 * c2;
       T const moved = larger(larger(abs(c1 - c[0]), abs(c2 - c[1])), abs(c3 - c[2]));
-      c = select_each(active, {c1, c2, c3}, c);
+      c = select_vector<T>(active, {c1, c2, c3}, c);
       T const at_rounding = T(16) * epsilon<T>() * larger(larger(abs(c1), abs(c2)), abs(c3));
-      active = both(active, both(moved > T(0), either(moved<change, moved> at_rounding)));
+      active = both(active, both(moved > T(0), either((moved < change), (moved > at_rounding))));
       change = select(active, moved, change);
     }
     if (count) *count = i;
@@ -88,10 +88,6 @@ class Dmv2 {
   /// yⱼ' − yⱼ
   T change(int j, T const& product, T const& alpha) const {
     return T(2) * (coupling_[j] * product) / (alpha * half_step_over_inertia_[j]);
-  }
-
-  static Vector3<T> select_each(Mask<T> const& mask, Vector3<T> const& yes, Vector3<T> const& no) {
-    return {select(mask, yes[0], no[0]), select(mask, yes[1], no[1]), select(mask, yes[2], no[2])};
   }
 
   /// q ⊗ (1, c)/√α − q = q ⊗ (1 − √α, c)/√α, with 1 − √α = −|c|²/(1 + √α)

@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
+#include <brouwer/integrators/elliptic_attitude.hpp>
 #include <brouwer/integrators/stepper.hpp>
-#include <brouwer/systems/elliptic_attitude.hpp>
 
 namespace brouwer {
 

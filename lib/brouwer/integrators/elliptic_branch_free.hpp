@@ -36,7 +36,8 @@ class EllipticBranchFree : public EllipticBase<T> {
 ///     y₁' − y₁ = ((p₁ + e) y₁ − c₁² w R y₂y₃)/D
 ///     y₂' − y₂ = ((p₁ + r₁ + p₁r₁ + e) y₂ + w y₁y₃)/D
 ///     y₃' − y₃ = ((r₁ + e) y₃ − c₂² w P y₁y₂)/D
-/// Its rounding errors are of the size of the increment: a random walk, and with compensation ∝ ε√(ht).
+/// Its rounding errors are of the size of the increment: a random walk, which compensation makes
+/// a hundred times smaller at h = 0.01 (studies/elliptic-forms.toml).
 template <Real T>
 class EllipticIncrement : public EllipticBase<T> {
  public:

@@ -11,7 +11,6 @@ template <Real T, class Functions = OwnElliptic>
 class EllipticThreeConstants : public EllipticBase<T> {
  public:
   using State = RigidBodyState<T>;
-  using EllipticBase<T>::EllipticBase;
   explicit EllipticThreeConstants(Setup<RigidBody<T>> const& setup) : EllipticBase<T>(setup) {}
 
   State operator()(State const& s) const { return this->with_momentum(s, next_momentum(s.momentum)); }

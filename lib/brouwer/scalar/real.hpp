@@ -14,8 +14,6 @@ using Mask = decltype(std::declval<T>() < std::declval<T>());
 /// bring theirs by argument-dependent look-up.
 namespace math {
 using std::abs;
-using std::asin;
-using std::atan;
 using std::atan2;
 using std::cos;
 using std::cosh;
@@ -29,7 +27,6 @@ inline bool any(bool mask) { return mask; }
 inline bool all(bool mask) { return mask; }
 inline bool both(bool a, bool b) { return a && b; }
 inline bool either(bool a, bool b) { return a || b; }
-inline bool without(bool a, bool b) { return a && !b; }
 
 /// Lane by lane: `yes` where the mask is set, `no` elsewhere. Both sides have been computed.
 template <class T>
@@ -63,14 +60,10 @@ T epsilon() {
 template <class T>
 inline constexpr int significand_bits = std::numeric_limits<T>::digits;
 
-/// max and min by mask; the second argument wins where they are equal or unordered.
+/// The maximum by mask; the second argument wins where they are equal or unordered.
 template <Real T>
 T larger(T const& a, T const& b) {
   return select(a > b, a, b);
-}
-template <Real T>
-T smaller(T const& a, T const& b) {
-  return select(a < b, a, b);
 }
 
 /// +1 or −1; zero (of either sign) counts as positive.

@@ -13,7 +13,7 @@
 namespace brouwer {
 
 // Whose F(φ, k) and sn, cn, dn(u, k) an integrator calls. The variant is a factor of a study: it changes the bits.
-// Each has `exists_in<T>`; outside the domain (k > 1) a variant gives NaN, never an exception or an abort.
+// Each has `exists_in<T>`. k lies in [0, 1]; beyond it the value is unspecified, but a variant neither throws nor aborts.
 
 /// This library's functions; any Real.
 struct OwnElliptic {
@@ -36,16 +36,22 @@ struct GslElliptic {
   static constexpr bool exists_in = std::same_as<T, double>;
 
   static double f(double phi, double k) {
+    keep_calm();
     gsl_sf_result result;
     bool const good = gsl_sf_ellint_F_e(phi, k, GSL_PREC_DOUBLE, &result) == GSL_SUCCESS;
     return good ? result.val : std::numeric_limits<double>::quiet_NaN();
   }
   static Jacobi<double> jacobi(double u, double k) {
+    keep_calm();
     Jacobi<double> j{};
     if (gsl_sf_elljac_e(u, k * k, &j.sn, &j.cn, &j.dn) == GSL_SUCCESS) return j;
     double const nan = std::numeric_limits<double>::quiet_NaN();
     return {nan, nan, nan};
   }
+
+ private:
+  /// GSL's default is to abort the program; once for the process.
+  static void keep_calm() { [[maybe_unused]] static auto const former = gsl_set_error_handler_off(); }
 };
 
 /// Boost.Math's; every scalar but packs and Float128 (whose numeric_limits in Boost 1.81, which Boost.Math asks, do not
@@ -63,13 +69,23 @@ struct BoostElliptic {
 
   template <Real T>
   static T f(T const& phi, T const& k) {
-    return boost::math::ellint_1(k, phi, Policy());
+    return inside(phi, k) ? boost::math::ellint_1(k, phi, Policy()) : std::numeric_limits<T>::quiet_NaN();
   }
   template <Real T>
   static Jacobi<T> jacobi(T const& u, T const& k) {
+    T const nan = std::numeric_limits<T>::quiet_NaN();
+    if (!inside(u, k)) return {nan, nan, nan};
     Jacobi<T> j{};
     j.sn = boost::math::jacobi_elliptic(k, u, &j.cn, &j.dn, Policy());
     return j;
+  }
+
+ private:
+  /// Boost.Math 1.81 recurses without end for a modulus that is not a number.
+  template <Real T>
+  static bool inside(T const& u, T const& k) {
+    using math::abs;
+    return k >= T(0) && k <= T(1) && abs(u) <= T(1) / (epsilon<T>() * epsilon<T>());
   }
 };
 

@@ -37,7 +37,8 @@ class GaussLegendre {
   static int nodes_needed(double length, double distance) {
     double const b = 2 * distance / length;
     double const log_rho = std::asinh(b);
-    return 1 + static_cast<int>(std::ceil((significand_bits<T> + 2) * std::log(2.0) / (2 * log_rho)));
+    double const nodes = 1 + std::ceil((significand_bits<T> + 2) * std::log(2.0) / (2 * log_rho));
+    return nodes < 1e9 ? static_cast<int>(nodes) : 1'000'000'000;  // also where the length is not finite
   }
 
  private:

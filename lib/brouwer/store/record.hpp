@@ -18,8 +18,9 @@ struct CellLabels {
   bool operator==(CellLabels const&) const = default;
 };
 
-/// The errors of one scalar quantity, member by member: value now − value at the start (first
-/// integrals) or value − reference (state), both formed in wider arithmetic and rounded once.
+/// The errors of one scalar quantity, member by member: (value now − value at the start) / the system's scale for first
+/// integrals (energy and Casimir: relative, see `unit`), or value − reference for the state; formed in wider arithmetic
+/// and rounded once.
 struct Series {
   std::string name;            ///< component, e.g. "energy", "spatial-momentum-1"
   std::string quantity;        ///< the quantity it belongs to, e.g. "spatial-momentum"

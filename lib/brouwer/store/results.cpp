@@ -1,6 +1,7 @@
 #include <brouwer/store/results.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <span>
 #include <system_error>
@@ -41,6 +42,8 @@ void check(std::vector<FinishedUnit> const& units, std::string const& study_hash
   for (auto const& [file, header] : units) {
     if (header.study_hash != study_hash) refuse(file, "belongs to another study");
     if (header.cell != planned) refuse(file, "is of another cell than plan.txt says");
+    if (file.filename() != unit_path(0, header.first_member).filename())
+      refuse(file, fmt::format("holds members from {} on, not those that its name says", header.first_member));
     if (header.first_member < next_member) refuse(file, "has members that the unit before it has too");
     if (header.sample_steps != units.front().header.sample_steps) refuse(file, "has other samples than the first unit");
     next_member = header.first_member + header.members;
@@ -98,6 +101,13 @@ Eigen::Index drop_failed(ErrorMatrix& errors) {
   return failed;
 }
 
+/// The line `members = …` of a study's canonical text; 0 where there is none.
+std::int64_t members_in(std::string const& canonical_text) {
+  auto const key = std::string("\nmembers = ");
+  auto const at = canonical_text.find(key);
+  return at == std::string::npos ? 0 : std::atoll(canonical_text.c_str() + at + key.size());
+}
+
 }  // namespace
 
 Results::Results(fs::path folder) : folder_(std::move(folder)) {
@@ -105,6 +115,7 @@ Results::Results(fs::path folder) : folder_(std::move(folder)) {
   if (!fs::is_directory(folder_, none)) throw InputError("there is no result folder " + folder_.string());
   auto const plan = read_plan(folder_);
   study_hash_ = plan.study_hash;
+  planned_members_ = members_in(plan.canonical_text);
   for (std::size_t i = 0; i < plan.cells.size(); ++i) {
     Cell cell{plan.cells[i], {}, units_in(folder_ / cell_path(i))};
     check(cell.units, study_hash_, cell.labels);

@@ -52,6 +52,9 @@ class Results {
   std::int64_t finished_members(std::size_t cell) const { return cells_[cell].members; }
 
   /// All finished members of cell `number` that have this component. @throws InputError if there is none of that name.
+  /// How many members each cell is to have.
+  std::int64_t planned_members() const { return planned_members_; }
+
   Ensemble load(std::size_t number, std::string const& quantity) const;
 
  private:
@@ -63,6 +66,7 @@ class Results {
   };
   std::filesystem::path folder_;
   std::string study_hash_;
+  std::int64_t planned_members_ = 0;
   std::vector<Cell> cells_;  // in the order of the plan
 };
 

@@ -36,6 +36,9 @@ struct SystemDescription {
   std::vector<Field> fields;
   std::vector<Quantity> quantities;
   std::vector<std::string> state_components;  ///< y1 … q3
+  /// How many components of the state, from the first, are always integrated; the rest (an attitude that follows from
+  /// the momentum) only where a quantity needs it.
+  std::size_t always_integrated = 0;
   bool has_exact_flow = false;
   /// Why these values are impossible ("inertia must be sorted …"), or nothing.
   std::function<std::optional<std::string>(FieldValues const&)> complaint;

@@ -76,9 +76,4 @@ Mask<T> at_rest(EllipticConstants<T> const& c, Vector3<T> const& y) {
   return both(both(r1 == T(0), r2 == T(0)), r3 == T(0));
 }
 
-template <Real T>
-Vector3<T> select_vector(Mask<T> const& mask, Vector3<T> const& yes, Vector3<T> const& no) {
-  return {select(mask, yes[0], no[0]), select(mask, yes[1], no[1]), select(mask, yes[2], no[2])};
-}
-
 }  // namespace brouwer

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 
 namespace brouwer {
 
@@ -10,6 +11,15 @@ struct ExactFlow;
 template <class System>
 concept HasExactFlow = requires {
   typename ExactFlow<System>::type;
+};
+
+/// Holds a system's exact flow once it is asked for; nothing where there is none.
+template <class System>
+struct FlowHolder {};
+
+template <HasExactFlow System>
+struct FlowHolder<System> {
+  std::shared_ptr<typename ExactFlow<System>::type> flow;
 };
 
 }  // namespace brouwer

@@ -3,6 +3,12 @@
 
 namespace brouwer {
 
+/// Lane by lane.
+template <Real T>
+Vector3<T> select_vector(Mask<T> const& mask, Vector3<T> const& yes, Vector3<T> const& no) {
+  return {select(mask, yes[0], no[0]), select(mask, yes[1], no[1]), select(mask, yes[2], no[2])};
+}
+
 /// Hamilton's product p ⊗ q. Written out: Eigen's own changes its order of operations with the instruction set.
 template <Real T>
 Quaternion<T> hamilton_product(Quaternion<T> const& p, Quaternion<T> const& q) {

@@ -14,7 +14,6 @@ namespace brouwer {
 template <Real T>
 struct RigidBodyState {
   using Scalar = T;
-  static constexpr int size = 7;  ///< y1 y2 y3 q0 q1 q2 q3
   Vector3<T> momentum;
   Quaternion<T> attitude;
 
@@ -41,7 +40,6 @@ class RigidBody {
   template <Real U>
   using In = RigidBody<U>;
 
-  static constexpr int parameters = 3;
   static constexpr int first_integral_count = 6;  ///< H, C, (Qy)₁₂₃, |q|
   static constexpr int state_error_count = 7;     ///< momentum (3), attitude (3), phase
 
@@ -70,7 +68,7 @@ class RigidBody {
   /// Q y, in space
   Vector3<T> spatial_momentum(State const& s) const { return rotated(s.attitude, s.momentum); }
 
-  /// In the order of describe().quantities that need no reference.
+  /// In the order of describe_rigid_body().quantities that need no reference.
   std::array<T, first_integral_count> first_integrals(State const& s) const {
     using math::sqrt;
     auto const spatial = spatial_momentum(s);
@@ -86,7 +84,7 @@ class RigidBody {
     return {or_one(energy(start.momentum)), or_one(casimir(start.momentum)), length, length, length, T(1)};
   }
 
-  /// In the order of describe().quantities that need a reference: y − y*, the rotation vector of q*⁻¹ ⊗ q in the
+  /// In the order of describe_rigid_body().quantities that need a reference: y − y*, the rotation vector of q*⁻¹ ⊗ q in the
   /// body frame (radians), and the phase ⟨y − y*, ẏ*⟩ / |ẏ*|²: by how much time the body runs ahead.
   std::array<T, state_error_count> state_errors(State const& s, State const& reference) const {
     Vector3<T> const d{s.momentum[0] - reference.momentum[0], s.momentum[1] - reference.momentum[1],
@@ -153,6 +151,7 @@ inline SystemDescription describe_rigid_body() {
             "y - y*, and the rotation vector of q*^-1 q in the body frame (radians)"},
            {"phase", {"phase"}, "time", true, false, "by how much time the momentum runs ahead of the reference"}},
           {"y1", "y2", "y3", "q0", "q1", "q2", "q3"},
+          3,
           true,
           rigid_body_complaint,
           normalise_attitude};

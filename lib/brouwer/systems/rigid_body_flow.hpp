@@ -1,6 +1,7 @@
 #pragma once
 #include <brouwer/special/elliptic.hpp>
-#include <brouwer/systems/elliptic_attitude.hpp>
+#include <brouwer/special/gauss_legendre.hpp>
+#include <brouwer/systems/attitude_frame.hpp>
 #include <brouwer/systems/exact_flow.hpp>
 
 namespace brouwer {
@@ -69,7 +70,7 @@ class RigidBodyFlow {
   }
 
   static GaussLegendre<T> const& rule_for_two_radians() {
-    static GaussLegendre<T> const rule(GaussLegendre<T>::nodes_needed(2.0, 1.5707963267948966));
+    static GaussLegendre<T> const rule(GaussLegendre<T>::nodes_needed(2.0, singularity_distance));
     return rule;
   }
 
