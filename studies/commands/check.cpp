@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include <brouwer/error.hpp>
+#include <brouwer/store/whole_file.hpp>
 
 #include "analysis/junit.hpp"
 #include "studies/commands/commands.hpp"
 #include "studies/commands/findings.hpp"
 #include "studies/commands/run_study.hpp"
-#include "studies/commands/text_file.hpp"
 
 namespace brouwer {
 namespace {
@@ -43,7 +43,7 @@ int check(CheckCommand const& command, Catalogue const& catalogue) {
   if (!folder) return interrupted;
   auto const outcomes = Findings({folder->string()}, command.settings.levels).check(file.expectations);
   print_outcomes(outcomes, file.unjudged);
-  if (!command.junit.empty()) write_text(command.junit, to_junit(file.study.name, outcomes));
+  if (!command.junit.empty()) write_whole(command.junit, to_junit(file.study.name, outcomes));
   return exit_status(outcomes);
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <brouwer/error.hpp>
 #include <brouwer/spelling.hpp>
+#include <brouwer/store/whole_file.hpp>
 
 #include "studies/commands/commands.hpp"
-#include "studies/commands/text_file.hpp"
 #include "studies/reading/toml.hpp"
 
 namespace brouwer {
@@ -54,7 +54,7 @@ void list_quantities(Catalogue const& catalogue) {
 /// The question of a study, or what is the matter with the file.
 std::string question_of(std::filesystem::path const& file) {
   try {
-    return parse_toml(read_text(file), file.string())["question"].value_or<std::string>("(no question)");
+    return parse_toml(read_whole(file), file.string())["question"].value_or<std::string>("(no question)");
   } catch (std::exception const& error) {
     return fmt::format("({})", error.what());
   }

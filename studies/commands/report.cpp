@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <brouwer/store/whole_file.hpp>
+
 #include "studies/commands/commands.hpp"
 #include "studies/commands/findings.hpp"
 #include "studies/commands/run_study.hpp"
-#include "studies/commands/text_file.hpp"
 
 namespace brouwer {
 namespace {
@@ -36,11 +37,11 @@ int report(ReportCommand const& command, Catalogue const& catalogue) {
   ReportContent content = what_was_asked(file, catalogue);
   content.estimates = findings.rows();
   content.outcomes = findings.check(file.expectations);
-  content.provenance = read_text(folder / "provenance.txt");
+  content.provenance = read_whole(folder / "provenance.txt");
   add_figures(content, findings, folder / "figures");
   std::filesystem::path const page =
       command.file.empty() ? folder / "report.html" : std::filesystem::path(command.file);
-  write_text(page, render_report(content));
+  write_whole(page, render_report(content));
   fmt::print(stderr, "report in {}\n", page.string());
   return done;
 }
