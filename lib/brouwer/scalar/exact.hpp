@@ -29,13 +29,19 @@ Exact<T> fast_two_sum(T const& a, T const& b) {
   return {sum, b - (sum - a)};
 }
 
+/// a · b − c rounded once; for two_prod alone.
+template <Real T>
+T fused_subtract(T const& a, T const& b, T const& c) {
+  using std::fma;
+  return fma(a, b, -c);
+}
+
 /// a · b = value + error exactly, by one fused multiply-add (the only one that the library means);
 /// holds unless the error underflows.
 template <Real T>
 Exact<T> two_prod(T const& a, T const& b) {
-  using std::fma;
   T const product = a * b;
-  return {product, fma(a, b, -product)};
+  return {product, fused_subtract(a, b, product)};
 }
 
 }  // namespace brouwer

@@ -27,6 +27,7 @@ inline bool any(bool mask) { return mask; }
 inline bool all(bool mask) { return mask; }
 inline bool both(bool a, bool b) { return a && b; }
 inline bool either(bool a, bool b) { return a || b; }
+inline bool negated(bool mask) { return !mask; }
 
 /// Lane by lane: `yes` where the mask is set, `no` elsewhere. Both sides have been computed.
 template <class T>
@@ -34,7 +35,34 @@ T select(bool mask, T const& yes, T const& no) {
   return mask ? yes : no;
 }
 
-/// A scalar we can integrate with: float, double, long double, Float128, Mpfr<N>; later packs of the first two.
+/// How many numbers a scalar holds side by side, and how one gets at them: one, unless it is a pack (pack.hpp).
+template <class T>
+struct Lanes {
+  using Element = T;
+  static constexpr int count = 1;
+  static T const& get(T const& a, int) { return a; }
+  static void set(T& a, int, T const& value) { a = value; }
+};
+
+template <class T>
+using Element = typename Lanes<T>::Element;
+template <class T>
+inline constexpr int lanes = Lanes<T>::count;
+
+template <class T>
+Element<T> lane(T const& a, int i) {
+  return Lanes<T>::get(a, i);
+}
+
+/// The scalar whose lane i is f(i), for what is decided number by number, in constructors.
+template <class T, class F>
+T from_lanes(F f) {
+  T a{};
+  for (int i = 0; i < lanes<T>; ++i) Lanes<T>::set(a, i, f(i));
+  return a;
+}
+
+/// A scalar we can integrate with: float, double, long double, Float128, Mpfr<N>, DoubleDouble<T>, and packs of them.
 ///
 /// Templates over Real never branch on a comparison (`if (a < b)`): they form a mask, compute both sides and
 /// `select`; a loop that iterates to convergence runs while any(active) and freezes a lane when *it* has

@@ -14,11 +14,15 @@ struct WiderThanBits {
 };
 }  // namespace detail
 
+/// Specialised where more than the bits decide.
+template <class T>
+struct WiderThan : detail::WiderThanBits<significand_bits<T>> {};
+
 /// The arithmetic in which constants of T are computed before they are rounded to it once, and in which errors
 /// of T are judged: Float128 for the built-in types, about twice the bits for the others.
 /// Mpfr<512> and wider are judged in Mpfr<1024>.
 template <class T>
-using Wider = typename detail::WiderThanBits<significand_bits<T>>::type;
+using Wider = typename WiderThan<T>::type;
 
 /// Rounds to T once. From a narrower type this is exact.
 template <class T, class From>
