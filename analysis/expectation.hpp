@@ -10,7 +10,7 @@ namespace brouwer {
 /// Which cells an expectation speaks of; an absent key matches every level.
 struct Selector {
   // "= {}" lets {.method = "dmv-2"} be written without a warning for the rest
-  std::optional<std::string> method = {}, arithmetic = {}, special_functions = {};
+  std::optional<std::string> method = {}, arithmetic = {}, special_functions = {}, coefficients = {};
   std::optional<bool> compensation = {};
   std::optional<double> step = {};
   bool matches(CellLabels const& cell) const;

@@ -39,6 +39,7 @@ std::string in_words(Selector const& where) {
   if (where.method) add("method", *where.method);
   if (where.arithmetic) add("arithmetic", *where.arithmetic);
   if (where.special_functions) add("special functions", *where.special_functions);
+  if (where.coefficients) add("coefficients", *where.coefficients);
   if (where.compensation) add("compensation", *where.compensation ? "true" : "false");
   if (where.step) add("step", fmt::format("{}", *where.step));
   return words;
@@ -146,7 +147,7 @@ void check_one(Expectation const& expectation, Rows const& rows, FitSweep const&
 bool Selector::matches(CellLabels const& cell) const {
   auto const is = [](auto const& wanted, auto const& level) { return !wanted || *wanted == level; };
   return is(method, cell.method) && is(arithmetic, cell.arithmetic) && is(special_functions, cell.special_functions) &&
-         is(compensation, cell.compensation) && is(step, cell.step);
+         is(coefficients, cell.coefficients) && is(compensation, cell.compensation) && is(step, cell.step);
 }
 
 std::vector<std::string> verdict_words() {

@@ -11,7 +11,11 @@ namespace {
 
 using Cell = CellLabels;
 
-std::string functions(Cell const& c) { return c.special_functions == "-" ? "" : c.special_functions; }
+/// The level of an option that only some methods have.
+std::string said(std::string const& level) { return level == no_level ? "" : level; }
+
+std::string functions(Cell const& c) { return said(c.special_functions); }
+std::string coefficients(Cell const& c) { return said(c.coefficients); }
 std::string step(Cell const& c) { return c.step > 0 ? fmt::format("{}", c.step) : ""; }
 std::string steps(Cell const& c) { return c.steps > 0 ? fmt::format("{}", c.steps) : ""; }
 
@@ -24,6 +28,7 @@ Factor const factors[] = {
     {"method", [](Cell const& c) { return c.method; }, [](Cell const& c) { return c.method; }},
     {"arithmetic", [](Cell const& c) { return c.arithmetic; }, [](Cell const& c) { return c.arithmetic; }},
     {"functions", functions, [](Cell const& c) { return with("", functions(c), " functions"); }},
+    {"coefficients", coefficients, [](Cell const& c) { return with("", coefficients(c), " coefficients"); }},
     {"sum", [](Cell const& c) { return std::string(c.compensation ? "compensated" : "plain"); },
      [](Cell const& c) { return std::string(c.compensation ? "compensated" : "not compensated"); }},
     {"h", step, [](Cell const& c) { return with("h = ", step(c), ""); }},
@@ -82,7 +87,7 @@ std::string describe(CellLabels const& cell) {
 }
 
 std::string brief(CellLabels const& cell, bool with_step) {
-  static std::set<std::string> const unsaid = {"system", "steps"}, usual = {"own", "plain"};
+  static std::set<std::string> const unsaid = {"system", "steps"}, usual = {"own", "per-step", "plain"};
   Factors telling;
   for (auto const& factor : factors) {
     bool const is_step = factor.level == &step;

@@ -15,7 +15,7 @@ struct Factor {
 
 using Factors = std::vector<Factor const*>;
 
-/// system, method, arithmetic, special functions, compensation, step, steps.
+/// system, method, arithmetic, special functions, coefficients, compensation, step, steps.
 std::span<Factor const> all_factors();
 
 /// The factors that take more than one level in these cells. `steps` is left out where h decides it.
@@ -30,8 +30,8 @@ std::string describe(CellLabels const& cell, Factors const& factors);
 /// All that there is to say of a cell; "ensemble" where nothing is known (an ensemble from a csv).
 std::string describe(CellLabels const& cell);
 
-/// Where a claim was made, in few words: without system and steps, and without what is usual (own functions, plain
-/// sum).
+/// Where a claim was made, in few words: without system and steps, and without what is usual (own functions,
+/// coefficients per step, plain sum).
 std::string brief(CellLabels const& cell, bool with_step = true);
 
 /// What tells the cells apart; where there is one only, what it is.

@@ -27,6 +27,7 @@ Field const fields[] = {
     {"method", [](E const& e) -> Value { return e.cell.method; }},
     {"arithmetic", [](E const& e) -> Value { return e.cell.arithmetic; }},
     {"special_functions", [](E const& e) -> Value { return e.cell.special_functions; }},
+    {"coefficients", [](E const& e) -> Value { return e.cell.coefficients; }},
     {"compensation", [](E const& e) -> Value { return e.cell.compensation; }},
     {"step", [](E const& e) -> Value { return e.cell.step; }},
     {"steps", [](E const& e) -> Value { return e.cell.steps; }},

@@ -29,6 +29,7 @@ std::string traits(MethodEntry const& method) {
   std::string text = method.order == 0 ? "exact up to rounding" : fmt::format("order {}", method.order);
   if (method.compensable) text += ", compensation applies";
   if (method.uses_special_functions) text += ", special functions apply";
+  if (method.uses_coefficients) text += ", coefficients per step or per trajectory";
   if (method.uses_libm) text += ", uses libm";
   return text;
 }

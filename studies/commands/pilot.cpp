@@ -21,7 +21,8 @@ constexpr double enough_seconds = 0.1;
 Study shortened(Study study, CellLabels const& cell, std::int64_t steps) {
   study.methods = {cell.method};
   study.arithmetics = {cell.arithmetic};
-  if (cell.special_functions != "-") study.special_functions = {cell.special_functions};
+  if (cell.special_functions != no_level) study.special_functions = {cell.special_functions};
+  if (cell.coefficients != no_level) study.coefficients = {cell.coefficients};
   study.compensation = {cell.compensation};
   study.step = {cell.step};
   study.until.reset();

@@ -30,17 +30,19 @@ std::vector<std::string> with_components(std::vector<Quantity> const& quantities
   return names;
 }
 
-std::vector<std::string> variant_labels() {
-  auto names = special_function_variants();
-  names.emplace_back("-");  // methods that use none
-  return names;
+/// The levels of an option that only some methods have, and that of the others.
+std::vector<std::string> or_none(std::vector<std::string> levels) {
+  levels.emplace_back(no_level);
+  return levels;
 }
 
 Selector read_selector(Section where, Catalogue const& catalogue, std::string const& system) {
   Selector selector;
   selector.method = where.value("method", one_of("method", method_names(catalogue, system)));
   selector.arithmetic = where.value("arithmetic", one_of("arithmetic", names_of(catalogue.arithmetics)));
-  selector.special_functions = where.value("special_functions", one_of("variant", variant_labels()));
+  selector.special_functions =
+      where.value("special_functions", one_of("variant", or_none(special_function_variants())));
+  selector.coefficients = where.value("coefficients", one_of("level of coefficients", or_none(coefficient_levels())));
   selector.compensation = where.value("compensation", flag());
   selector.step = where.value("step", positive());
   where.refuse_unknown_keys();

@@ -33,6 +33,8 @@ std::optional<std::string> level_not_run(Selector const& where, std::vector<Cell
   if (auto no = not_run("special_functions", where.special_functions, cells,
                         [](auto const& c) { return c.special_functions; }))
     return no;
+  if (auto no = not_run("coefficients", where.coefficients, cells, [](auto const& c) { return c.coefficients; }))
+    return no;
   if (auto no = not_run("compensation", where.compensation, cells, [](auto const& c) { return c.compensation; }))
     return no;
   return not_run("step", where.step, cells, [](auto const& c) { return c.step; });
@@ -43,7 +45,8 @@ std::size_t longest_sweep(Selector const& where, std::vector<CellLabels> const& 
   std::map<std::string, std::set<double>> sweeps;
   for (auto const& cell : cells)
     if (where.matches(cell))
-      sweeps[fmt::format("{} {} {} {}", cell.method, cell.arithmetic, cell.special_functions, cell.compensation)]
+      sweeps[fmt::format("{} {} {} {} {}", cell.method, cell.arithmetic, cell.special_functions, cell.coefficients,
+                         cell.compensation)]
           .insert(cell.step);
   std::size_t most = 0;
   for (auto const& [others, steps] : sweeps) most = std::max(most, steps.size());

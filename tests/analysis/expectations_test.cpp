@@ -164,6 +164,24 @@ TEST(Expectation, ThatSpeaksOfNothingHasFailedAndTellsWhatThereIs) {
   EXPECT_FALSE(only(expecting("energy", "elliptic-naive")).passed) << "it says nothing that could be checked";
 }
 
+TEST(Expectation, SpeaksOfTheCoefficientsItSelects) {
+  auto rows = drifting_and_not();
+  for (auto& row : rows) row.cell.method = "dmv-10";
+  rows[0].cell.coefficients = "per-step";
+  rows[1].cell.coefficients = "per-trajectory";
+  auto expectation = expecting("energy");
+  expectation.drift = Wanted::none;
+  expectation.where.coefficients = "per-trajectory";
+  auto const outcome = only(expectation, rows);
+  EXPECT_TRUE(outcome.passed);
+  EXPECT_THAT(outcome.claim, HasSubstr("dmv-10, double, per-trajectory coefficients, h = 0.01"));
+  expectation.where.coefficients = "per-step";
+  EXPECT_FALSE(only(expectation, rows).passed);
+  EXPECT_THAT(only(expectation, rows).claim, HasSubstr("dmv-10, double, h = 0.01")) << "the usual ones are not said";
+  expectation.where.coefficients = "-";
+  EXPECT_EQ(only(expectation, rows).claim, "energy where coefficients = -");
+}
+
 TEST(Expectation, MentionsMembersThatWereLeftOut) {
   auto expectation = expecting("energy", "elliptic-three-constants");
   expectation.drift = Wanted::none;

@@ -8,7 +8,7 @@ namespace brouwer {
 /// Estimates as the inference would make them of a drifting, or of a driftless, ensemble of 64 members.
 inline Estimates presented_estimates(std::string const& method, std::string const& quantity, double beta) {
   Estimates e;
-  e.cell = {"rigid_body", method, "double", "own", false, 0.01, 20000};
+  e.cell = {"rigid_body", method, "double", "own", "-", false, 0.01, 20000};
   e.quantity = quantity;
   e.family = quantity.substr(0, quantity.find("-1"));
   e.unit = "J";

@@ -83,6 +83,24 @@ TEST(TextTable, StatesOnceWhatDoesNotVaryAndPutsTheVerdictLast) {
   EXPECT_THAT(lines[4], testing::EndsWith("random walk"));
 }
 
+TEST(TextTable, TellsCellsApartByTheirCoefficients) {
+  auto rows = two_methods();
+  rows[1].cell.method = rows[0].cell.method;
+  rows[0].cell.coefficients = "per-step";
+  rows[1].cell.coefficients = "per-trajectory";
+  auto const lines = lines_of(render_table(rows, TableFormat::text));
+  EXPECT_THAT(lines[2], testing::StartsWith("coefficients"));
+  EXPECT_THAT(lines[3], testing::StartsWith("per-step "));
+  EXPECT_THAT(lines[4], testing::StartsWith("per-trajectory "));
+  rows.pop_back();
+  EXPECT_THAT(render_table(rows, TableFormat::text),
+              HasSubstr("own functions, per-step coefficients, not compensated"));
+}
+
+TEST(TextTable, SaysNothingOfCoefficientsThatAMethodDoesNotHave) {
+  EXPECT_THAT(render_table(two_methods(), TableFormat::text), Not(HasSubstr("coefficients")));
+}
+
 TEST(TextTable, AlignsByWhatATerminalShowsAndNotByBytes) {
   auto rows = two_methods();
   rows[0].cell.method = "méthode-β";
@@ -152,7 +170,8 @@ TEST(CsvTable, QuotesWhatHoldsACommaAndReadsBackBitForBit) {
   rows[0].cell.system = "";
   auto const lines = lines_of(render_table(rows, TableFormat::csv));
   ASSERT_EQ(lines.size(), 3u);
-  EXPECT_THAT(lines[0], testing::StartsWith("system,method,arithmetic,special_functions,compensation,step,steps,"));
+  EXPECT_THAT(lines[0],
+              testing::StartsWith("system,method,arithmetic,special_functions,coefficients,compensation,step,steps,"));
   EXPECT_THAT(lines[0], HasSubstr("drift_per_step,drift_ci_low,drift_ci_high,drift_t,drift_p"));
   EXPECT_THAT(lines[1], testing::StartsWith(",elliptic-naive,"));
   EXPECT_THAT(lines[1], HasSubstr("\"a,\"\"b\"\"\""));
@@ -162,9 +181,9 @@ TEST(CsvTable, QuotesWhatHoldsACommaAndReadsBackBitForBit) {
 
 TEST(JsonTable, HasTheKeysThatProgramsRelyOn) {
   auto const text = render_table({two_methods()[0]}, TableFormat::json);
-  for (auto const* key :
-       {"system", "method", "arithmetic", "compensation", "step", "steps", "members", "quantity", "rms_final",
-        "smallest_visible_drift", "verdict", "special_functions", "failed", "samples", "levels", "sentence"})
+  for (auto const* key : {"system", "method", "arithmetic", "compensation", "step", "steps", "members", "quantity",
+                          "rms_final", "smallest_visible_drift", "verdict", "special_functions", "coefficients",
+                          "failed", "samples", "levels", "sentence"})
     EXPECT_THAT(text, HasSubstr('"' + std::string(key) + "\": "));
   EXPECT_THAT(text,
               testing::ContainsRegex("\"drift\": \\{\"per_step\": -2.3[01][0-9]*e-17, \"ci\": \\[-2.3[0-9]*e-17, "

@@ -96,7 +96,7 @@ BENCHMARK(compensated)->Name("dmv-2, compensated");
 /// Through the catalogue's names and the virtual call, as `brouwer run` does it.
 void by_name(benchmark::State& state) {
   auto const catalogue = builtin_catalogue();
-  CellLabels const cell{"rigid_body", "dmv-2", "double", "-", false, h, steps};
+  CellLabels const cell{"rigid_body", "dmv-2", "double", "-", "-", false, h, steps};
   Start const start{{0.6, 0.8, 1.0}, {1.8, 0.4, -0.9, 1, 0, 0, 0}};
   for (auto _ : state) {
     auto const trajectory = begin_trajectory(catalogue, cell, start, true);

@@ -14,28 +14,43 @@ namespace {
 
 using testing_support::small_study;
 
+struct Combination {
+  MethodEntry method;
+  ArithmeticEntry arithmetic;
+  std::string variant, coefficients;
+};
+
+/// Everything that exists.
+std::vector<Combination> combinations(Catalogue const& catalogue) {
+  std::vector<std::string> const none = {no_level};
+  std::vector<Combination> all;
+  for (auto const& method : catalogue.methods)
+    for (auto const& arithmetic : catalogue.arithmetics)
+      for (auto const& variant : method.uses_special_functions ? special_function_variants() : none)
+        for (auto const& coefficients : method.uses_coefficients ? coefficient_levels() : none)
+          if (variant == no_level || variant_exists(variant, arithmetic.name))
+            all.push_back({method, arithmetic, variant, coefficients});
+  return all;
+}
+
 TEST(Catalogue, RunsEveryMethodInEveryArithmeticToItsPrecision) {
   auto const catalogue = builtin_catalogue();
   auto const start = nominal_start(small_study(), catalogue.system("rigid_body"));
   int runs = 0;
-  for (auto const& method : catalogue.methods)
-    for (auto const& arithmetic : catalogue.arithmetics)
-      for (auto const& variant : special_function_variants())
-        for (bool compensation : {false, true}) {
-          if (compensation && !method.compensable) continue;
-          if (method.uses_special_functions && !variant_exists(variant, arithmetic.name)) continue;
-          if (!method.uses_special_functions && variant != "own") continue;
-          CellLabels const cell{"rigid_body", method.name, arithmetic.name, variant, compensation, 0.125, 20};
-          auto const trajectory = begin_trajectory(catalogue, cell, start, true);
-          trajectory->advance(20);
-          std::vector<double> errors(6);
-          trajectory->first_integral_errors(errors);
-          // Boost's jacobi_elliptic is accurate to about 10⁻¹³ in double
-          double const slack = variant == "boost" ? 1e5 : 300;
-          for (double e : errors)
-            EXPECT_LT(std::abs(e), slack * std::ldexp(1.0, -arithmetic.bits)) << method.name << ' ' << arithmetic.name;
-          ++runs;
-        }
+  for (auto const& [method, arithmetic, variant, coefficients] : combinations(catalogue))
+    for (bool compensation : {false, true}) {
+      if (compensation && !method.compensable) continue;
+      CellLabels const cell{"rigid_body", method.name, arithmetic.name, variant, coefficients, compensation, 0.125, 20};
+      auto const trajectory = begin_trajectory(catalogue, cell, start, true);
+      trajectory->advance(20);
+      std::vector<double> errors(6);
+      trajectory->first_integral_errors(errors);
+      // Boost's jacobi_elliptic is accurate to about 10⁻¹³ in double
+      double const slack = variant == "boost" ? 1e5 : 300;
+      for (double e : errors)
+        EXPECT_LT(std::abs(e), slack * std::ldexp(1.0, -arithmetic.bits)) << method.name << ' ' << arithmetic.name;
+      ++runs;
+    }
   EXPECT_GT(runs, 60);
 }
 

@@ -10,7 +10,9 @@
 namespace brouwer {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using testing_support::small_study;
 
 std::string complaint_of(Study const& study) {
@@ -33,6 +35,7 @@ TEST(Plan, CrossesTheFactors) {
   EXPECT_EQ(plan.cells[0].steps, 400);
   EXPECT_EQ(plan.cells[2].steps, 100);
   EXPECT_EQ(plan.cells[0].special_functions, "-");
+  EXPECT_EQ(plan.cells[0].coefficients, "-");
 }
 
 TEST(Plan, RunsAMethodOnceWhereAFactorDoesNotTouchIt) {
@@ -44,6 +47,34 @@ TEST(Plan, RunsAMethodOnceWhereAFactorDoesNotTouchIt) {
   ASSERT_EQ(plan.cells.size(), 3);
   EXPECT_EQ(plan.cells[0].method, "dmv-2");
   EXPECT_EQ(plan.cells[2].special_functions, "gsl");
+}
+
+/// The catalogue with a method whose modified coefficients may be taken per step or per trajectory.
+Catalogue with_preprocessed_method() {
+  auto catalogue = builtin_catalogue();
+  auto method = catalogue.method("rigid_body", "dmv-2");
+  method.name = "preprocessed";
+  method.uses_coefficients = true;
+  catalogue.methods.push_back(method);
+  return catalogue;
+}
+
+TEST(Plan, CrossesCoefficientsForMethodsThatHaveThem) {
+  auto study = small_study();
+  study.compensation = {false};
+  study.methods = {"dmv-2", "preprocessed", "elliptic-naive"};
+  study.coefficients = {"per-trajectory", "per-step"};
+  std::vector<std::string> levels;
+  for (auto const& cell : make_plan(study, with_preprocessed_method()).cells)
+    levels.push_back(cell.method + " " + cell.special_functions + " " + cell.coefficients);
+  EXPECT_THAT(levels, ElementsAre("dmv-2 - -", "preprocessed - per-trajectory", "preprocessed - per-step",
+                                  "elliptic-naive own -"));
+}
+
+TEST(Plan, TakesCoefficientsPerStepUnlessToldOtherwise) {
+  auto study = small_study();
+  study.methods = {"preprocessed"};
+  for (auto const& cell : make_plan(study, with_preprocessed_method()).cells) EXPECT_EQ(cell.coefficients, "per-step");
 }
 
 TEST(Plan, SkipsWhatDoesNotExistAndSaysWhy) {
@@ -86,6 +117,7 @@ TEST(Plan, RefusesWhatCannotBe) {
   EXPECT_EQ(with([](Study&) {}), "(accepted)");
   EXPECT_THAT(with([](Study& s) { s.methods = {"elliptic-niave"}; }), HasSubstr("did you mean 'elliptic-naive'"));
   EXPECT_THAT(with([](Study& s) { s.arithmetics = {"duoble"}; }), HasSubstr("did you mean 'double'"));
+  EXPECT_THAT(with([](Study& s) { s.coefficients = {"per-stpe"}; }), HasSubstr("did you mean 'per-step'"));
   EXPECT_THAT(with([](Study& s) { s.quantities = {"energie"}; }), HasSubstr("did you mean 'energy'"));
   EXPECT_THAT(with([](Study& s) { s.system = "pendulum"; }), HasSubstr("rigid_body"));
   EXPECT_THAT(with([](Study& s) { s.values["inertia"] = {1, 0.5, 1}; }), HasSubstr("sorted"));
@@ -125,11 +157,22 @@ TEST(StudyHash, IsThatOfTheResultsNotOfTheWords) {
   for (auto change : std::vector<std::function<void(Study&)>>{
            [](Study& s) { s.seed = 8; }, [](Study& s) { s.step[0] = std::nextafter(0.05, 1); },
            [](Study& s) { s.perturb["momentum"].size *= 2; }, [](Study& s) { s.values["momentum"][1] = -0.0; },
-           [](Study& s) { s.members = 21; }, [](Study& s) { s.samples.count = 9; }}) {
+           [](Study& s) { s.members = 21; }, [](Study& s) { s.samples.count = 9; },
+           [](Study& s) { s.coefficients = {"per-trajectory"}; },
+           [](Study& s) {
+             s.coefficients = {"per-step", "per-trajectory"};
+           }}) {
     other = study;
     change(other);
     EXPECT_NE(study_hash(study), study_hash(other));
   }
+}
+
+TEST(StudyHash, IsWhatItWasBeforeTheFactorCoefficients) {
+  auto study = small_study();
+  EXPECT_THAT(canonical_text(study), Not(HasSubstr("coefficients")));
+  study.coefficients = {"per-trajectory"};
+  EXPECT_THAT(canonical_text(study), HasSubstr("\ncoefficients = per-trajectory\n"));
 }
 
 }  // namespace

@@ -120,6 +120,15 @@ TEST(PlanText, ReturnsEveryBitOfTheStep) {
   }
 }
 
+TEST(PlanText, FromBeforeTheFactorCoefficientsHasNone) {
+  FolderPlan plan{"hash", text_here, {sample_cell()}};
+  auto text = to_text(plan);
+  std::string const level = "coefficients = per-trajectory, ";
+  ASSERT_NE(text.find(level), std::string::npos);
+  plan.cells[0].coefficients = no_level;
+  EXPECT_EQ(plan_of_text(text.erase(text.find(level), level.size())).cells, plan.cells);
+}
+
 TEST(PlanText, SaysWhatIsDamaged) {
   EXPECT_THROW(plan_of_text(""), std::invalid_argument);
   EXPECT_THROW(plan_of_text("members = 3\n"), std::invalid_argument);

@@ -94,6 +94,18 @@ TEST_F(UnitsInAFolder, MayHaveNoMemberThatDidNotFail) {
   EXPECT_EQ(results().load(0, "energy").errors.rows(), 0);
 }
 
+TEST_F(UnitsInAFolder, FromBeforeTheFactorCoefficientsAreTakenWithThoseFromAfterIt) {
+  auto old = sample_unit(0, 4), now = sample_unit(4, 4);
+  now.cell.coefficients = no_level;
+  put(old), put(now);
+  forget_coefficients(folder / unit_path(0, 0));
+  std::string const level = "coefficients = per-trajectory, ";
+  auto plan = read_whole(folder / "plan.txt");
+  write_whole(folder / "plan.txt", plan.erase(plan.find(level), level.size()));
+  EXPECT_EQ(results().labels(0), now.cell);
+  EXPECT_EQ(results().finished_members(0), 8);
+}
+
 struct Refusal : UnitsInAFolder {
   void expect(std::string const& reason) const {
     EXPECT_THAT([&] { results(); }, ThrowsMessage<RunError>(HasSubstr(reason)));

@@ -11,6 +11,7 @@
 
 #include <brouwer/store/file.hpp>
 #include <brouwer/store/folder.hpp>
+#include <brouwer/store/hdf5.hpp>
 
 namespace brouwer {
 
@@ -40,7 +41,10 @@ inline std::vector<double> distinct_numbers(std::size_t count, double scale) {
   return numbers;
 }
 
-inline CellLabels sample_cell() { return {"rigid_body", "elliptic-naive", "double", "own", true, 0.1 + 0.2, 1000}; }
+/// No method has all of these; the store does not ask.
+inline CellLabels sample_cell() {
+  return {"rigid_body", "elliptic-naive", "double", "own", "per-trajectory", true, 0.1 + 0.2, 1000};
+}
 
 /// `members` members from `first`, of which the first three at most are compared with a reference.
 inline UnitRecord sample_unit(std::int64_t first = 64, std::int64_t members = 5) {
@@ -63,6 +67,13 @@ inline UnitRecord sample_unit(std::int64_t first = 64, std::int64_t members = 5)
   unit.state_names = {"y1", "y2", "q0"};
   unit.final_state = distinct_numbers(rows * 3, 2);
   return unit;
+}
+
+/// Makes a unit as it was written before the factor `coefficients`.
+inline void forget_coefficients(std::filesystem::path const& file) {
+  hdf5::Session const session;
+  hdf5::Handle const opened(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT));
+  hdf5::checked(H5Adelete(opened, "coefficients"));
 }
 
 inline bool same_bits(std::vector<double> const& a, std::vector<double> const& b) {

@@ -38,6 +38,15 @@ TEST(UnitFile, KeepsTheOrderOfItsSeries) {
                                  "y1", "y2"));
 }
 
+TEST(UnitFile, FromBeforeTheFactorCoefficientsHasNone) {
+  Scratch const folder;
+  UnitRecord unit = sample_unit();
+  write_unit(folder / "unit.h5", unit);
+  forget_coefficients(folder / "unit.h5");
+  unit.cell.coefficients = no_level;
+  EXPECT_TRUE(same(unit, read_unit(folder / "unit.h5")));
+}
+
 TEST(UnitFile, HeaderHasEverythingButTheNumbers) {
   Scratch const folder;
   UnitRecord unit = sample_unit();

@@ -17,7 +17,7 @@ StudyRun const& small_run() {
   return run;
 }
 
-Estimates const& energy(std::string const& method) { return small_run().row("energy", {method, {}, {}, {}, {}}); }
+Estimates const& energy(std::string const& method) { return small_run().row("energy", {.method = method}); }
 
 TEST(DriftTest, TellsTheNaiveConstantsFromTheConsistentOnes) {
   EXPECT_THAT(energy("elliptic-three-constants"), HasNoDrift());

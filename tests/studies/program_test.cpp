@@ -117,6 +117,9 @@ TEST_F(Program, RefusesWrongUsageWithOneSentenceAndStatusTwo) {
       {"integrate toy.toml --every 0", "--every"},
       {"integrate toy.toml --method dmv2", "--method dmv2: integrate.methods: there is no method 'dmv2'"},
       {"integrate toy.toml --step nan", "--step nan: integrate.step = nan, expected a finite number"},
+      {"integrate toy.toml --coefficients per-stpe",
+       "--coefficients per-stpe: integrate.coefficients: there is no level of coefficients 'per-stpe'"},
+      {"integrate toy.toml --coefficient per-step", "did you mean '--coefficients'?"},
       {"list system", "there is no list of 'system'; did you mean 'systems'?"},
       {"completion fish", "there is no completion for 'fish'"},
   };
@@ -201,6 +204,8 @@ TEST_F(Program, IntegratesOneTrajectory) {
   EXPECT_EQ(std::count(said.text.begin(), said.text.end(), '\n'), 4);
   EXPECT_THAT(brouwer("integrate toy.toml --steps 1 --hex").text,
               HasSubstr("\n0x0p+0,0x1.ccccccccccccdp+0,0x1.999999999999ap-2,-0x1.ccccccccccccdp-1,0x1p+0,"));
+  EXPECT_EQ(brouwer("integrate toy.toml --steps 1 --coefficients per-trajectory").text,
+            brouwer("integrate toy.toml --steps 1").text);  // this method has none
   EXPECT_NE(brouwer("integrate toy.toml --steps 1").text, brouwer("integrate toy.toml --steps 1 --member 0").text);
 }
 
@@ -219,6 +224,7 @@ TEST_F(Program, PlansWithoutWriting) {
 TEST_F(Program, CompletesInShells) {
   EXPECT_EQ(shell("bash -c 'source <(" BROUWER_PROGRAM " completion bash) && complete -p brouwer'").status, 0);
   EXPECT_THAT(brouwer("completion zsh").text, StartsWith("#compdef brouwer"));
+  EXPECT_THAT(brouwer("completion bash").text, HasSubstr(" --coefficients "));
 }
 
 }  // namespace

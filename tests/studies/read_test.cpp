@@ -94,6 +94,7 @@ TEST(StudyFile, TakesWhatIsLeftOutFromTheCatalogueAndTheDefaults) {
   auto const file = read(with("seed = 2008\n", ""));
   EXPECT_THAT(file.study.values.at("inertia"), ElementsAre(0.6, 0.8, 1.0));
   EXPECT_THAT(file.study.special_functions, ElementsAre("own"));
+  EXPECT_THAT(file.study.coefficients, ElementsAre("per-step"));
   EXPECT_THAT(file.study.compensation, ElementsAre(false));
   EXPECT_EQ(file.study.seed, 0U);
 }
@@ -124,6 +125,19 @@ TEST(StudyFile, TakesShortFormsAndHyphens) {
   EXPECT_THAT(read(with("step = [", "special-functions = \"gsl\"\nstep = [")).study.special_functions,
               ElementsAre("gsl"));
   EXPECT_EQ(read(with("steps = 100_000", "steps = 1e5")).study.steps, 100'000);
+}
+
+TEST(StudyFile, TakesOneOrAListOfCoefficientsAndExpectsOfThem) {
+  auto const one = with("step = [", "coefficients = \"per-trajectory\"\nstep = [");
+  EXPECT_THAT(read(one).study.coefficients, ElementsAre("per-trajectory"));
+  auto text = with("step = [", "coefficients = [\"per-step\", \"per-trajectory\"]\nstep = [");
+  text.replace(text.find("\"dmv-2\"]"), 8, "\"dmv-2\", \"dmv-10\"]");
+  std::string const selector = "where = { method = \"dmv-2\" }";
+  text.replace(text.find(selector), selector.size(), "where = { coefficients = \"per-trajectory\" }");
+  auto const file = read(text);
+  EXPECT_THAT(file.study.coefficients, ElementsAre("per-step", "per-trajectory"));
+  EXPECT_EQ(file.plan.cells.size(), 4 * 3);  // dmv-10 twice, the others once, with three steps each
+  EXPECT_EQ(file.expectations[0].where.coefficients, "per-trajectory");
 }
 
 TEST(StudyFile, SurvivesAByteOrderMarkAndWindowsLines) {
@@ -182,6 +196,13 @@ Bad const bad_studies[] = {
     {"MethodIsNumber", "[\"elliptic-naive\", \"dmv-2\"]", "2", "integrate.methods = 2, expected a name in quotes"},
     {"UnknownArithmetic", "arithmetic = \"double\"", "arithmetic = \"duoble\"", "there is no arithmetic 'duoble'"},
     {"UnknownVariant", "step = [", "special_functions = \"nag\"\nstep = [", "there is no variant 'nag'; known are own"},
+    {"UnknownCoefficients", "step = [", "coefficients = \"per-stpe\"\nstep = [",
+     "drift.toml:8: integrate.coefficients: there is no level of coefficients 'per-stpe'; did you mean 'per-step'?"},
+    {"CoefficientsAreNumber", "step = [", "coefficients = 1\nstep = [",
+     "integrate.coefficients = 1, expected a name in quotes, one of per-step, per-trajectory"},
+    {"CoefficientsTwice", "step = [", "coefficients = ['per-step', 'per-step']\nstep = [",
+     "integrate.coefficients has 'per-step' twice"},
+    {"CoefficientsMisspelt", "step = [", "coeficients = 'per-step'\nstep = [", "did you mean 'coefficients'?"},
     {"CompensationIsWord", "step = [", "compensation = \"on\"\nstep = [", "expected true or false"},
     {"NoStep", "step = [0.04, 0.02, 0.01]", "", "'integrate.step' is missing"},
     {"StepZero", "[0.04, 0.02, 0.01]", "0.0", "drift.toml:8: integrate.step = 0.0, expected a finite number greater"},
@@ -239,6 +260,10 @@ Bad const bad_studies[] = {
      "expect[1].where.method: there is no method"},
     {"ExpectLevelNotRun", "{ method = \"dmv-2\" }", "{ arithmetic = \"float\" }",
      "where.arithmetic = float is not run by this study, run are double"},
+    {"ExpectUnknownCoefficients", "{ method = \"dmv-2\" }", "{ coefficients = \"per-member\" }",
+     "expect[1].where.coefficients: there is no level of coefficients 'per-member'"},
+    {"ExpectCoefficientsNotRun", "{ method = \"dmv-2\" }", "{ coefficients = \"per-trajectory\" }",
+     "where.coefficients = per-trajectory is not run by this study, run are -"},
     {"ExpectStepNotRun", "step = 0.01 }", "step = 0.03 }", "where.step = 0.03 is not run by this study"},
     {"ExpectClaimsNothing", "drift = \"none\"\ngrowth = { exponent = 0.5, within = 0.05 }", "",
      "the expectation claims nothing"},
@@ -337,6 +362,12 @@ TEST(Override, TakesTomlAndBareWords) {
               HasSubstr("'question' is a value there, not a table"));
   for (auto const* malformed : {"", "=", "a", "a=", "=1", "a..b=1", ".=1", "a.b.c.d.e.f.g.h.i=1"})
     EXPECT_THROW(parse_override(malformed), InputError) << malformed;
+}
+
+TEST(Override, OfCoefficientsReplacesThoseOfTheFile) {
+  auto const text = with("step = [", "coefficients = \"per-step\"\nstep = [");
+  EXPECT_THAT(read(text, {parse_override("integrate.coefficients=per-trajectory")}).study.coefficients,
+              ElementsAre("per-trajectory"));
 }
 
 TEST(Override, OfALengthReplacesTheOtherLength) {

@@ -29,6 +29,12 @@ inline MethodEntry small_method(std::string name, std::string system, bool compe
   return method;
 }
 
+inline MethodEntry small_preprocessed_method() {
+  auto method = small_method("dmv-10", "rigid_body", true);
+  method.uses_coefficients = true;
+  return method;
+}
+
 /// A catalogue of names alone, to read studies with: nothing in it can run.
 inline Catalogue small_catalogue() {
   SystemDescription body;
@@ -48,7 +54,7 @@ inline Catalogue small_catalogue() {
   Catalogue catalogue;
   catalogue.systems = {body};
   catalogue.methods = {small_method("elliptic-naive", "rigid_body", false), small_method("dmv-2", "rigid_body", true),
-                       small_method("leapfrog", "pendulum", true)};
+                       small_preprocessed_method(), small_method("leapfrog", "pendulum", true)};
   catalogue.arithmetics = {{"float", 24, ""}, {"double", 53, ""}, {"float128", 113, ""}};
   return catalogue;
 }

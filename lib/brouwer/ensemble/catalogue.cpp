@@ -67,6 +67,15 @@ bool variant_exists(std::string const& variant, std::string const& arithmetic) {
   return exists;
 }
 
+std::vector<std::string> const& coefficient_levels() {
+  static std::vector<std::string> const names = [] {
+    std::vector<std::string> collected;
+    for_each_coefficients([&](char const* name, auto) { collected.emplace_back(name); });
+    return collected;
+  }();
+  return names;
+}
+
 Catalogue builtin_catalogue() {
   Catalogue catalogue;
   catalogue.arithmetics = arithmetic_entries();

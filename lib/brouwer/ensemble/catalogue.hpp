@@ -21,6 +21,7 @@ struct MethodEntry {
   int order = 0;                        ///< 0: exact up to rounding
   bool compensable = false;             ///< has an increment to be summed with compensation
   bool uses_special_functions = false;  ///< the variants own, gsl, boost apply
+  bool uses_coefficients = false;       ///< modified coefficients, per step or per trajectory
   bool uses_libm = false;               ///< sin, cos, atan …: bits depend on the machine's libm
   std::function<std::unique_ptr<Trajectory>(TrajectoryRequest const&)> begin;
 };
@@ -49,6 +50,9 @@ class Catalogue {
 /// "own, gsl, boost": variants of the elliptic functions, and whether one exists in an arithmetic.
 std::vector<std::string> const& special_function_variants();
 bool variant_exists(std::string const& variant, std::string const& arithmetic);
+
+/// "per-step, per-trajectory": where a preprocessed method takes its modified coefficients from.
+std::vector<std::string> const& coefficient_levels();
 
 Catalogue builtin_catalogue();
 

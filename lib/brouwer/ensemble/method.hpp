@@ -2,6 +2,7 @@
 #include <brouwer/ensemble/arithmetics.hpp>
 #include <brouwer/ensemble/catalogue.hpp>
 #include <brouwer/ensemble/member.hpp>
+#include <brouwer/integrators/coefficients.hpp>
 #include <brouwer/special/elliptic_variants.hpp>
 #include <brouwer/systems/rigid_body_flow.hpp>
 
@@ -64,6 +65,31 @@ MethodEntry method_with_functions(MethodText const& text) {
       for_each_variant([&]<class Functions>(std::string const& name, Functions) {
         if constexpr (Functions::template exists_in<T>)
           if (name == request.special_functions) trajectory = begin_member<S<T, Functions>>(request);
+      });
+    });
+    return trajectory;
+  };
+  return entry;
+}
+
+/// Calls visit(name, Coefficients{}) for both ways to take modified coefficients.
+template <class Visit>
+void for_each_coefficients(Visit visit) {
+  visit("per-step", PerStep{});
+  visit("per-trajectory", PerTrajectory{});
+}
+
+/// The same for a stepper that is also a template over where it takes its modified coefficients from:
+/// template <class T, class Coefficients> class S.
+template <template <class, class> class S>
+MethodEntry method_with_coefficients(MethodText const& text) {
+  MethodEntry entry = detail::described<S<double, PerStep>>(text);
+  entry.uses_coefficients = true;
+  entry.begin = [](TrajectoryRequest const& request) {
+    std::unique_ptr<Trajectory> trajectory;
+    for_arithmetic(request.arithmetic, [&]<class T>(NamedArithmetic<T>) {
+      for_each_coefficients([&]<class Coefficients>(std::string const& name, Coefficients) {
+        if (name == request.coefficients) trajectory = begin_member<S<T, Coefficients>>(request);
       });
     });
     return trajectory;

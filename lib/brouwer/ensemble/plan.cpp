@@ -7,6 +7,7 @@
 
 #include <brouwer/ensemble/start.hpp>
 #include <brouwer/error.hpp>
+#include <brouwer/spelling.hpp>
 #include <brouwer/store/folder.hpp>
 
 namespace brouwer {
@@ -23,18 +24,26 @@ std::int64_t steps_of(Study const& study, double h) {
   return static_cast<std::int64_t>(steps);
 }
 
+/// The levels of an option that only some methods have: those of the study, or none.
+std::vector<std::string> levels_of(bool has_option, std::vector<std::string> const& levels) {
+  return has_option ? levels : std::vector<std::string>{no_level};
+}
+
 /// Every combination of levels in which no factor is left that the method does not have: a method without elliptic
 /// functions has the one variant "-".
 std::vector<CellLabels> crossed(Study const& study, Catalogue const& catalogue) {
   std::vector<CellLabels> cells;
   for (auto const& method : study.methods) {
-    bool const has_variants = catalogue.method(study.system, method).uses_special_functions;
-    auto const variants = has_variants ? study.special_functions : std::vector<std::string>{"-"};
+    auto const& entry = catalogue.method(study.system, method);
+    auto const variants = levels_of(entry.uses_special_functions, study.special_functions);
+    auto const sources = levels_of(entry.uses_coefficients, study.coefficients);
     for (auto const& arithmetic : study.arithmetics)
       for (auto const& variant : variants)
-        for (bool const compensation : study.compensation)
-          for (double const h : study.step)
-            cells.push_back({study.system, method, arithmetic, variant, compensation, h, steps_of(study, h)});
+        for (auto const& coefficients : sources)
+          for (bool const compensation : study.compensation)
+            for (double const h : study.step)
+              cells.push_back(
+                  {study.system, method, arithmetic, variant, coefficients, compensation, h, steps_of(study, h)});
   }
   return cells;
 }
@@ -56,10 +65,18 @@ std::int64_t unit_size(std::int64_t members) {
   return std::max(base, (needed + base - 1) / base * base);
 }
 
+void check_coefficients(std::vector<std::string> const& levels) {
+  auto const& known = coefficient_levels();
+  for (auto const& level : levels)
+    if (std::find(known.begin(), known.end(), level) == known.end())
+      throw InputError(fmt::format("there is no level of coefficients '{}'{}", level, suggestion(level, known)));
+}
+
 void check(Study const& study, Catalogue const& catalogue) {
   auto const& system = catalogue.system(study.system);
   if (auto complaint = system.complaint(study.values)) throw InputError(*complaint);
   for (auto const& name : study.arithmetics) catalogue.arithmetic(name);
+  check_coefficients(study.coefficients);
   for (auto const& name : study.quantities) {
     bool const needs_reference = catalogue.quantity(study.system, name).needs_reference;
     if (needs_reference && study.reference.kind == Reference::Kind::none)

@@ -111,11 +111,11 @@ Start rounded_to(std::string const& arithmetic, Start start) {
 std::unique_ptr<Trajectory> begin_trajectory(Catalogue const& catalogue, CellLabels const& cell, Start const& start,
                                              bool attitude) {
   auto trajectory = catalogue.method(cell.system, cell.method)
-                        .begin({cell.arithmetic, cell.special_functions, cell.compensation, attitude, cell.step,
-                                start.parameters, start.state});
+                        .begin({cell.arithmetic, cell.special_functions, cell.coefficients, cell.compensation, attitude,
+                                cell.step, start.parameters, start.state});
   if (!trajectory)
-    throw InputError(fmt::format("{} does not exist in {} with special functions '{}'", cell.method, cell.arithmetic,
-                                 cell.special_functions));
+    throw InputError(fmt::format("{} does not exist in {} with special functions '{}' and coefficients '{}'",
+                                 cell.method, cell.arithmetic, cell.special_functions, cell.coefficients));
   return trajectory;
 }
 

@@ -52,6 +52,8 @@ std::string canonical_text(Study const& study) {
   line("methods", fmt::format("{}", fmt::join(study.methods, ", ")));
   line("arithmetic", fmt::format("{}", fmt::join(study.arithmetics, ", ")));
   line("special_functions", fmt::format("{}", fmt::join(study.special_functions, ", ")));
+  if (study.coefficients != Study().coefficients)
+    line("coefficients", fmt::format("{}", fmt::join(study.coefficients, ", ")));
   std::string compensation;
   for (bool on : study.compensation) compensation += fmt::format("{}{}", compensation.empty() ? "" : ", ", on);
   line("compensation", compensation);

@@ -16,6 +16,7 @@ using Widest = Mpfr<1024>;
 struct TrajectoryRequest {
   std::string arithmetic;
   std::string special_functions;
+  std::string coefficients;
   bool compensation = false;
   bool attitude = true;            ///< false: nothing asks for the attitude, leave it at its start
   double step = 0;                 ///< h, held exactly; rounded to the arithmetic where that is narrower

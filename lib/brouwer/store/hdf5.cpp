@@ -144,6 +144,8 @@ void set(hid_t object, char const* name, double number) {
   set_scalar(object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &number);
 }
 
+bool has(hid_t object, char const* name) { return checked(H5Aexists(object, name)) > 0; }
+
 std::string text(hid_t object, char const* name) {
   Handle const attribute = open_scalar(object, name);
   Handle const type(H5Aget_type(attribute));

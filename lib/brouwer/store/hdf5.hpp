@@ -61,6 +61,7 @@ class Handle {
 void set(hid_t object, char const* name, std::string const& text);
 void set(hid_t object, char const* name, std::int64_t number);
 void set(hid_t object, char const* name, double number);
+bool has(hid_t object, char const* name);
 std::string text(hid_t object, char const* name);
 std::int64_t integer(hid_t object, char const* name);
 double real(hid_t object, char const* name);

@@ -14,8 +14,10 @@ namespace {
 
 std::string to_text(CellLabels const& cell) {
   return fmt::format(
-      "system = {}, method = {}, arithmetic = {}, special_functions = {}, compensation = {}, step = {}, steps = {}",
-      cell.system, cell.method, cell.arithmetic, cell.special_functions, cell.compensation, cell.step, cell.steps);
+      "system = {}, method = {}, arithmetic = {}, special_functions = {}, coefficients = {}, compensation = {}, "
+      "step = {}, steps = {}",
+      cell.system, cell.method, cell.arithmetic, cell.special_functions, cell.coefficients, cell.compensation,
+      cell.step, cell.steps);
 }
 
 /// "key = value" taken apart; a text without " = " is a key alone.
@@ -56,6 +58,7 @@ CellLabels cell_of(std::string const& line) {
           value("method"),
           value("arithmetic"),
           value("special_functions"),
+          pairs.contains("coefficients") ? value("coefficients") : no_level,  // plans from before this factor
           value("compensation") == "true",
           number<double>(value("step")),
           number<std::int64_t>(value("steps"))};

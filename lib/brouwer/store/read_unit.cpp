@@ -33,6 +33,8 @@ CellLabels read_labels(hid_t file) {
   cell.method = hdf5::text(file, "method");
   cell.arithmetic = hdf5::text(file, "arithmetic");
   cell.special_functions = hdf5::text(file, "special_functions");
+  // units from before this factor: no method had it
+  cell.coefficients = hdf5::has(file, "coefficients") ? hdf5::text(file, "coefficients") : no_level;
   cell.compensation = hdf5::integer(file, "compensation") != 0;
   cell.step = hdf5::real(file, "step_size");
   cell.steps = hdf5::integer(file, "steps");

@@ -5,12 +5,16 @@
 
 namespace brouwer {
 
+/// The level of an option that a method does not have.
+inline constexpr char const* no_level = "-";
+
 /// The level of every factor of a study in one cell of the factorial design, and what it ran.
 struct CellLabels {
   std::string system;
   std::string method;
   std::string arithmetic;
   std::string special_functions;  ///< own, gsl, boost; "-" where the method uses none
+  std::string coefficients;       ///< per-step, per-trajectory; "-" where the method has no modified ones
   bool compensation = false;
   double step = 0;         ///< h, in the system's unit of time
   std::int64_t steps = 0;  ///< how many

@@ -97,6 +97,7 @@ class UnitFile {
     set(file_, "method", cell.method);
     set(file_, "arithmetic", cell.arithmetic);
     set(file_, "special_functions", cell.special_functions);
+    set(file_, "coefficients", cell.coefficients);
     set(file_, "compensation", std::int64_t{cell.compensation});
     set(file_, "step_size", cell.step);
     set(file_, "steps", cell.steps);

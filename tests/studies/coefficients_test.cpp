@@ -1,0 +1,104 @@
+// The factor `coefficients` through the command line, with a catalogue that has a method for it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>  // mkdtemp
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "studies/commands/pilot.hpp"
+#include "studies/program.hpp"
+#include "studies/read.hpp"
+
+namespace brouwer {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr char const* study_text = R"([system.rigid_body]
+[integrate]
+methods = ["dmv-2", "preprocessed"]
+coefficients = ["per-step", "per-trajectory"]
+step = 0.01
+steps = 100
+[ensemble]
+members = 4
+perturb = { momentum = { uniform = 1e-2 } }
+[observe]
+quantities = "energy"
+samples = { count = 8 }
+[[expect]]
+of = "energy"
+where = { coefficients = "per-trajectory" }
+drift = { per_step = [-1e-14, 1e-14] }
+)";
+
+/// dmv-2, twice: once as a method that lets a study choose its coefficients. It computes the same with either.
+Catalogue const& catalogue() {
+  static Catalogue const with_preprocessed = [] {
+    auto all = builtin_catalogue();
+    auto method = all.method("rigid_body", "dmv-2");
+    method.name = "preprocessed";
+    method.uses_coefficients = true;
+    all.methods.push_back(method);
+    return all;
+  }();
+  return with_preprocessed;
+}
+
+struct StudyOfCoefficients : testing::Test {
+  StudyOfCoefficients() {
+    std::string name = (fs::temp_directory_path() / "brouwer-test-XXXXXX").string();
+    folder = mkdtemp(name.data());
+    std::ofstream(study()) << study_text;
+  }
+  ~StudyOfCoefficients() override { fs::remove_all(folder); }
+
+  std::string study() const { return (folder / "toy.toml").string(); }
+  std::string results() const { return (folder / "results").string(); }
+
+  /// What `brouwer ARGUMENTS` writes to standard output.
+  std::string said(std::vector<char const*> arguments) const {
+    arguments.insert(arguments.begin(), "brouwer");
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(program(static_cast<int>(arguments.size()), arguments.data(), catalogue()), 0);
+    return testing::internal::GetCapturedStdout();
+  }
+
+  fs::path folder;
+};
+
+TEST_F(StudyOfCoefficients, IsRunTabulatedAndJudged) {
+  auto const run = said({"run", study().c_str(), "-o", results().c_str(), "--no-figures"});
+  EXPECT_THAT(run, HasSubstr("PASS  energy, preprocessed, double, per-trajectory coefficients, h = 0.01"));
+  auto const table = said({"table", results().c_str(), "--format", "csv"});
+  EXPECT_THAT(table, AllOf(HasSubstr("rigid_body,dmv-2,double,-,-,false"),
+                           HasSubstr("rigid_body,preprocessed,double,-,per-step,false"),
+                           HasSubstr("rigid_body,preprocessed,double,-,per-trajectory,false")));
+}
+
+TEST_F(StudyOfCoefficients, IsTriedCellByCell) {
+  auto const file = read_study(study(), catalogue());
+  ASSERT_EQ(file.plan.cells.size(), 3U);
+  for (auto const& cell : file.plan.cells) {
+    auto const pilot = try_cell(file.study, catalogue(), cell, Levels());
+    ASSERT_EQ(pilot.rows.size(), 1U);
+    EXPECT_EQ(pilot.rows[0].cell.coefficients, cell.coefficients) << cell.method;
+    EXPECT_EQ(pilot.rows[0].members, 4) << "of this cell alone";
+  }
+}
+
+TEST_F(StudyOfCoefficients, ListsWhichMethodsHaveThem) {
+  auto const listed = said({"list", "methods"});
+  auto const preprocessed = listed.substr(listed.find("\n  preprocessed"));
+  EXPECT_THAT(preprocessed, HasSubstr("coefficients per step or per trajectory"));
+  EXPECT_THAT(listed.substr(0, listed.size() - preprocessed.size()), Not(HasSubstr("coefficients per step")));
+}
+
+}  // namespace
+}  // namespace brouwer
