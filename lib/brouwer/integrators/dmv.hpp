@@ -1,104 +1,203 @@
 #pragma once
+#include <algorithm>
 #include <limits>
 
+#include <brouwer/integrators/coefficients.hpp>
+#include <brouwer/integrators/dmv_preprocessing.hpp>
 #include <brouwer/integrators/stepper.hpp>
-#include <brouwer/systems/rigid_body.hpp>
 
 namespace brouwer {
 
-/// The discrete Moser–Veselov algorithm, order 2, symmetric, symplectic; conserves H, C and Qy exactly in exact
-/// arithmetic. J. Moser, A. P. Veselov, Comm. Math. Phys. 139 (1991) 217; in quaternions E. Hairer, G. Vilmart,
-/// J. Phys. A 39 (2006) 13225. With pⱼ = h yⱼ/(2Iⱼ) the step's rotation is (1, c₁, c₂, c₃)/√α, where
-///     c₁ = α p₁ + (I₂−I₃)/I₁ c₂c₃ (and cyclic)      α = 1 + c₁² + c₂² + c₃²
-/// is solved by fixed-point iteration in Gauss–Seidel order from c = p, until the iterate stands still or its
-/// change, down to a few ulp, no longer shrinks; then
-///     y₁' = y₁ + (4/(hα)) (I₂−I₃) c₂c₃ (and cyclic)      q' = q ⊗ (1, c)/√α.
-/// Only two constants a component are rounded, η₁ = h/(2I₁) and κ₁ = (I₂−I₃)/I₁; the change is formed from them, as
-/// 2κ₁c₂c₃/(αη₁). A third constant 4(I₂−I₃)/h would contradict them by some ε in every step, and the energy would drift
-/// by ε⟨(y₁'−y₁)²⟩/I₁: small, but seen with compensation (−5·10⁻²⁰ per step at h = 0.1, t = −15, 64 members).
-/// Where h is too large for the iteration to settle the increment is NaN: the member has failed.
-template <Real T>
-class Dmv2 {
+/// The discrete Moser–Veselov algorithm and its preprocessed forms of order 4, 6, 8, 10: symmetric, symplectic; conserves
+/// H, C and Qy exactly in exact arithmetic. J. Moser, A. P. Veselov, Comm. Math. Phys. 139 (1991) 217; in quaternions and
+/// preprocessed E. Hairer, G. Vilmart, J. Phys. A 39 (2006) 13225.
+///
+/// There the step's rotation (1, c₁, c₂, c₃)/√α solves c₁ = αη₁y₁ + (J₂−J₃)/J₁ c₂c₃ with α = 1 + |c|² and η₁ = h/(2J₁).
+/// For the midpoint m = (y + y')/2, of which c is αηm, the same equation needs no constant but η, and no quotient:
+///     m₁ = y₁ + αλ₁m₂m₃    α = 1 + α² Σ (ηⱼmⱼ)²    y₁' = y₁ + 2αλ₁m₂m₃    λ₁ = η₃ − η₂    (and cyclic)
+///     q' = q ⊗ (1, αηm)/√α
+/// It is solved by fixed-point iteration from m = y, α = 1. A turn is twice the line for α and then twice those for m,
+/// in Gauss–Seidel order: m comes closer by |αλm|² in a turn, α by (2α Σ (ηm)²)².
+///
+/// How many turns settle m to 1/16 ulp of |y| is found once, at the trajectory's start, in wider arithmetic. A step makes
+/// these, all but the last without looking, which lets packs run side by side. Where the last one still moved m by more
+/// than rounding does, it goes on, each lane until it stands still or no longer comes closer. Where it never settles
+/// (h is too large) the increment is NaN: the member has failed.
+/// @tparam Coefficients  PerStep or PerTrajectory: when η is formed
+template <Real T, int order_, class Coefficients>
+class Dmv {
  public:
   using Scalar = T;
   using System = RigidBody<T>;
   using State = RigidBodyState<T>;
-  static constexpr int order = 2;
+  static constexpr int order = order_;
+  static constexpr bool runs_in_lanes = true;
 
-  explicit Dmv2(Setup<System> const& setup) : attitude_(setup.attitude) {
-    using W = Wider<T>;
-    auto const I = setup.system.template in<W>().inertia();
-    W const h(setup.step);
-    for (int j = 0; j < 3; ++j) {
-      W const difference = I[(j + 1) % 3] - I[(j + 2) % 3];
-      half_step_over_inertia_[j] = rounded<T>(W(h / (2 * I[j])));
-      coupling_[j] = rounded<T>(W(difference / I[j]));
+  explicit Dmv(Setup<System> const& setup)
+      : attitude_(setup.attitude), inertia_(setup.system, setup.step), constants_(inertia_(setup.start.momentum)) {
+    using math::sqrt;
+    tolerance_ = T(8) * epsilon<T>() * sqrt(squared_norm(setup.start.momentum));
+    turns_ = turns_needed(setup.start.momentum);
+    fewest_turns_ = most_turns_ = static_cast<int>(lane(turns_, 0));
+    for (int i = 1; i < lanes<T>; ++i) {
+      fewest_turns_ = std::min(fewest_turns_, static_cast<int>(lane(turns_, i)));
+      most_turns_ = std::max(most_turns_, static_cast<int>(lane(turns_, i)));
     }
+  }
+
+  /// The equation of one step, being solved: the iterate, and the constants where they are this step's own.
+  struct Equation {
+    Vector3<T> m;
+    T alpha;
+    [[no_unique_address]] std::conditional_t<std::same_as<Coefficients, PerStep>, DmvConstants<T>, PerTrajectory> own;
+  };
+
+  Equation begin(State const& s) const {
+    if constexpr (per_step)
+      return {s.momentum, T(1), DmvConstants<T>(inertia_(s.momentum))};
+    else
+      return {s.momentum, T(1), {}};
+  }
+
+  int blind_turns() const { return fewest_turns_ - 1; }
+  void turn(State const& s, Equation& e) const { turn(s.momentum, constants_of(e), e); }
+
+  void settle(State const& s, Equation& e, int made) const {
+    auto const& k = constants_of(e);
+    T change{};
+    if (made + 1 == most_turns_) {
+      change = turn(s.momentum, k, e);
+    } else {
+      for (int i = made; i < most_turns_; ++i) {
+        auto const own = T(i) < turns_;
+        change = select(own, turn_where(own, s.momentum, k, e), change);
+      }
+    }
+    auto const unsettled = negated(change <= tolerance_);
+    if (any(unsettled)) go_on(unsettled, change, s.momentum, k, e);
+  }
+
+  State finish(State const& s, Equation const& e) const {
+    auto const& k = constants_of(e);
+    auto const& m = e.m;
+    T const rotation2 = k.length2(m) * squared(e.alpha);  // |c|²
+    T const alpha = T(1) + rotation2;
+    T const d1 = (alpha * k.lambda[0]) * (m[1] * m[2]), d2 = (alpha * k.lambda[1]) * (m[2] * m[0]),
+            d3 = (alpha * k.lambda[2]) * (m[0] * m[1]);
+    Vector3<T> const dy{d1 + d1, d2 + d2, d3 + d3};
+    if (!attitude_) return {dy, {T(0), T(0), T(0), T(0)}};
+    return {dy, attitude_increment(s.attitude, {k.eta[0] * m[0], k.eta[1] * m[1], k.eta[2] * m[2]}, alpha, rotation2)};
   }
 
   State increment(State const& s) const {
-    auto const& y = s.momentum;
-    Rotation const r = solve(
-        {half_step_over_inertia_[0] * y[0], half_step_over_inertia_[1] * y[1], half_step_over_inertia_[2] * y[2]});
-    auto const& c = r.c;
-    Vector3<T> const dy{change(0, c[1] * c[2], r.alpha), change(1, c[2] * c[0], r.alpha),
-                        change(2, c[0] * c[1], r.alpha)};
-    if (!attitude_) return {dy, {T(0), T(0), T(0), T(0)}};
-    return {dy, attitude_increment(s.attitude, r)};
-  }
-
-  /// Iterations that a step from y takes, for tests and benchmarks.
-  int iterations(Vector3<T> const& y) const {
-    int count = 0;
-    solve({half_step_over_inertia_[0] * y[0], half_step_over_inertia_[1] * y[1], half_step_over_inertia_[2] * y[2]},
-          &count);
-    return count;
+    Equation e = begin(s);
+    for (int i = 0; i < blind_turns(); ++i) turn(s, e);
+    settle(s, e, blind_turns());
+    return finish(s, e);
   }
 
  private:
-  struct Rotation {
-    Vector3<T> c;
-    T alpha;
-  };
+  static constexpr bool per_step = std::same_as<Coefficients, PerStep>;
+  static constexpr int turn_limit = 50 + 8 * significand_bits<T>;  // linear convergence, at worst 1/8 bit a turn
 
-  static constexpr int most_iterations = 50 + 8 * significand_bits<T>;  // linear convergence, at worst 1/8 bit a turn
+  DmvConstants<T> const& constants_of(Equation const& e) const {
+    if constexpr (per_step)
+      return e.own;
+    else
+      return constants_;
+  }
 
-  Rotation solve(Vector3<T> const& p, int* count = nullptr) const {
+  /// One turn of whatever has m and alpha.
+  /// @return by how much the last line moved m
+  template <class U, class Iterate>
+  static U turn(Vector3<U> const& y, DmvConstants<U> const& k, Iterate& e) {
+    U const S = k.length2(e.m), once = U(1) + S * squared(e.alpha), alpha = U(1) + S * squared(once);
+    U const mu1 = alpha * k.lambda[0], mu2 = alpha * k.lambda[1], mu3 = alpha * k.lambda[2];
+    U const a1 = y[0] + mu1 * (e.m[1] * e.m[2]);
+    U const a2 = y[1] + mu2 * (e.m[2] * a1);
+    U const a3 = y[2] + mu3 * (a1 * a2);
+    U const b1 = y[0] + mu1 * (a2 * a3);
+    U const b2 = y[1] + mu2 * (a3 * b1);
+    U const b3 = y[2] + mu3 * (b1 * b2);
+    e.m[0] = b1;
+    e.m[1] = b2;
+    e.m[2] = b3;
+    e.alpha = alpha;
+    return distance(e.m, {a1, a2, a3});
+  }
+
+  template <class U>
+  static U distance(Vector3<U> const& a, Vector3<U> const& b) {
     using math::abs;
-    Vector3<T> c = p;
-    T change = std::numeric_limits<T>::infinity();
-    auto active = change > T(0);
-    int i = 0;
-    for (; i < most_iterations && any(active); ++i) {
-      T const alpha = T(1) + squared_norm(c);
-      T const c1 = alpha * p[0] + coupling_[0] * c[1] * c[2];
-      T const c2 = alpha * p[1] + coupling_[1] * c[2] * c1;
-      T const c3 = alpha * p[2] + coupling_[2] * c1 * c2;
-      T const moved = larger(larger(abs(c1 - c[0]), abs(c2 - c[1])), abs(c3 - c[2]));
-      c = select_vector<T>(active, {c1, c2, c3}, c);
-      T const at_rounding = T(16) * epsilon<T>() * larger(larger(abs(c1), abs(c2)), abs(c3));
-      active = both(active, both(moved > T(0), either((moved < change), (moved > at_rounding))));
+    return larger(larger(U(abs(U(a[0] - b[0]))), U(abs(U(a[1] - b[1])))), U(abs(U(a[2] - b[2]))));
+  }
+
+  static T turn_where(Mask<T> const& mask, Vector3<T> const& y, DmvConstants<T> const& k, Equation& e) {
+    Equation next = e;
+    T const moved = turn(y, k, next);
+    e.m = select_vector<T>(mask, next.m, e.m);
+    e.alpha = select(mask, next.alpha, e.alpha);
+    return moved;
+  }
+
+  /// Rare: kept out of the loop over steps.
+  [[gnu::noinline]] void go_on(Mask<T> active, T change, Vector3<T> const& y, DmvConstants<T> const& k,
+                               Equation& e) const {
+    for (int i = 0; any(active) && i < turn_limit; ++i) {
+      T const moved = turn_where(active, y, k, e);
+      active = both(active, both(moved > T(0), either(moved<change, moved> tolerance_)));
       change = select(active, moved, change);
     }
-    if (count) *count = i;
-    T const settled = select(active, std::numeric_limits<T>::quiet_NaN(), T(1));
-    return {c, settled * (T(1) + squared_norm(c))};
+    e.alpha = select(active, std::numeric_limits<T>::quiet_NaN(), e.alpha);
   }
 
-  /// yⱼ' − yⱼ
-  T change(int j, T const& product, T const& alpha) const {
-    return T(2) * (coupling_[j] * product) / (alpha * half_step_over_inertia_[j]);
-  }
-
-  /// q ⊗ (1, c)/√α − q = q ⊗ (1 − √α, c)/√α, with 1 − √α = −|c|²/(1 + √α)
-  static Quaternion<T> attitude_increment(Quaternion<T> const& q, Rotation const& r) {
+  /// Turns from y until the next one would move m by less than 1/16 ulp of |y|, lane by lane; at least one.
+  T turns_needed(Vector3<T> const& y) const {
+    using W = Wider<T>;
     using math::sqrt;
-    T const root = sqrt(r.alpha), less_one = -squared_norm(r.c) / (T(1) + root);
-    return hamilton_product(q, Quaternion<T>(less_one / root, r.c[0] / root, r.c[1] / root, r.c[2] / root));
+    auto const wide = [](Vector3<T> const& v) { return Vector3<W>{W(v[0]), W(v[1]), W(v[2])}; };
+    struct {
+      Vector3<W> m;
+      W alpha;
+    } iterate{wide(y), W(1)};
+    DmvConstants<W> const k(wide(constants_.eta));
+    W const goal = W(epsilon<T>()) / W(16) * sqrt(squared_norm(iterate.m));
+    T needed = T(1);
+    auto active = W(0) < W(1);
+    for (int i = 0; i < turn_limit && any(active); ++i) {
+      auto const before = iterate.m;
+      turn(wide(y), k, iterate);
+      active = both(active, distance(iterate.m, before) > goal);
+      if (i > 0) needed = from_lanes<T>([&](int l) { return lane(needed, l) + Element<T>(is_set(active, l) ? 1 : 0); });
+    }
+    return needed;
+  }
+
+  /// q ⊗ (1, c)/√α − q with c = αηm: (1, c)/√α − 1 = (−|c|²/(√α + α), √α ηm)
+  static Quaternion<T> attitude_increment(Quaternion<T> const& q, Vector3<T> const& eta_m, T const& alpha,
+                                          T const& rotation2) {
+    using math::sqrt;
+    T const root = sqrt(alpha);
+    return hamilton_product(
+        q, Quaternion<T>(-(rotation2 / (root + alpha)), root * eta_m[0], root * eta_m[1], root * eta_m[2]));
   }
 
   bool attitude_;
-  Vector3<T> half_step_over_inertia_, coupling_;
+  int fewest_turns_, most_turns_;  ///< over the lanes
+  T turns_, tolerance_;
+  DmvModifiedInertia<T, order> inertia_;
+  DmvConstants<T> constants_;
 };
+
+template <Real T>
+using Dmv2 = Dmv<T, 2, PerTrajectory>;
+template <Real T, class Coefficients>
+using Dmv4 = Dmv<T, 4, Coefficients>;
+template <Real T, class Coefficients>
+using Dmv6 = Dmv<T, 6, Coefficients>;
+template <Real T, class Coefficients>
+using Dmv8 = Dmv<T, 8, Coefficients>;
+template <Real T, class Coefficients>
+using Dmv10 = Dmv<T, 10, Coefficients>;
 
 }  // namespace brouwer

@@ -1,6 +1,10 @@
 #pragma once
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
 
 #include <brouwer/systems/state.hpp>
 
@@ -35,28 +39,77 @@ concept IncrementStepper = std::copyable<S> && State<typename S::State> &&
   { S::order } -> std::convertible_to<int>;
 };
 
+/// An IncrementStepper that solves an equation by iteration shows its phases, so that the packs of a block can go
+/// through them side by side: the latency of one is hidden behind the others. Its increment(y) is
+///     e = begin(y); turn(y, e) blind_turns() times; settle(y, e, blind_turns()); finish(y, e).
+/// settle is told how many turns were made, of those that no lane can do without: at most blind_turns().
+template <class S>
+concept IterativeStepper = IncrementStepper<S> &&
+    requires(S const step, typename S::State const y, typename S::Equation e, int made) {
+  { step.begin(y) } -> std::same_as<typename S::Equation>;
+  { step.blind_turns() } -> std::same_as<int>;
+  step.turn(y, e);
+  step.settle(y, e, made);
+  { step.finish(y, e) } -> std::same_as<typename S::State>;
+};
+
 template <class S>
 concept Stepper = DirectStepper<S> || IncrementStepper<S>;
 
-/// One step.
-template <Stepper S>
-void take_step(S const& step, typename S::State& y) {
-  if constexpr (IncrementStepper<S>)
-    y = sum(y, step.increment(y));
-  else
-    y = step(y);
+/// What a stepper sees of a state, and how a change is added: plainly, or with what rounding costs carried along.
+template <State S>
+S const& value_of(S const& y) {
+  return y;
+}
+template <State S>
+S const& value_of(Compensated<S> const& y) {
+  return y.value;
+}
+template <State S>
+void add(S& y, S const& increment) {
+  y = sum(y, increment);
+}
+template <State S>
+void add(Compensated<S>& y, S const& increment) {
+  y.add(increment);
 }
 
-/// One step, with what rounding costs carried along.
-template <IncrementStepper S>
-void take_step(S const& step, Compensated<typename S::State>& y) {
-  y.add(step.increment(y.value));
+/// One step.
+template <Stepper S, class Y>
+void take_step(S const& step, Y& y) {
+  if constexpr (IncrementStepper<S>)
+    add(y, step.increment(value_of(y)));
+  else
+    y = step(y);
 }
 
 /// The loop over steps, written once for every method, arithmetic and kind of summation.
 template <Stepper S, class Y>
 void advance(S const& step, Y& y, std::int64_t steps) {
   for (std::int64_t i = 0; i < steps; ++i) take_step(step, y);
+}
+
+/// The same for a block of states (packs of members), each with its stepper: step by step through all of them, so that
+/// a processor which reorders instructions overlaps one pack's with the next one's. Flattened: everything is inlined.
+template <Stepper S, class Y>
+[[gnu::flatten]] void advance_block(std::span<S const> steppers, std::span<Y> states, std::int64_t steps) {
+  for (std::int64_t i = 0; i < steps; ++i)
+    for (std::size_t p = 0; p < states.size(); ++p) take_step(steppers[p], states[p]);
+}
+
+template <IterativeStepper S, class Y>
+[[gnu::flatten]] void advance_block(std::span<S const> steppers, std::span<Y> states, std::int64_t steps) {
+  std::vector<typename S::Equation> equations(states.size());
+  int blind = std::numeric_limits<int>::max();
+  for (auto const& step : steppers) blind = std::min(blind, step.blind_turns());
+  std::size_t const packs = states.size();
+  for (std::int64_t i = 0; i < steps; ++i) {
+    for (std::size_t p = 0; p < packs; ++p) equations[p] = steppers[p].begin(value_of(states[p]));
+    for (int turn = 0; turn < blind; ++turn)
+      for (std::size_t p = 0; p < packs; ++p) steppers[p].turn(value_of(states[p]), equations[p]);
+    for (std::size_t p = 0; p < packs; ++p) steppers[p].settle(value_of(states[p]), equations[p], blind);
+    for (std::size_t p = 0; p < packs; ++p) add(states[p], steppers[p].finish(value_of(states[p]), equations[p]));
+  }
 }
 
 }  // namespace brouwer

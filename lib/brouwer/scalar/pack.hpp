@@ -201,6 +201,44 @@ class Pack {
   Values values_;
 };
 
+// --- instructions ---------------------------------------------------------------------------------------------------
+
+namespace detail {
+// The instructions that the compilers' vector types have no operator for, by width. Overloads exist where the target
+// has them; everything else goes lane by lane.
+void vector_sqrt();
+void vector_larger();
+void vector_fused_subtract();
+#if defined(__SSE2__)
+inline __m128d vector_sqrt(__m128d a) { return _mm_sqrt_pd(a); }
+inline __m128d vector_larger(__m128d a, __m128d b) { return _mm_max_pd(a, b); }
+inline __m128 vector_sqrt(__m128 a) { return _mm_sqrt_ps(a); }
+inline __m128 vector_larger(__m128 a, __m128 b) { return _mm_max_ps(a, b); }
+#endif
+#if defined(__AVX__)
+inline __m256d vector_sqrt(__m256d a) { return _mm256_sqrt_pd(a); }
+inline __m256d vector_larger(__m256d a, __m256d b) { return _mm256_max_pd(a, b); }
+inline __m256 vector_sqrt(__m256 a) { return _mm256_sqrt_ps(a); }
+inline __m256 vector_larger(__m256 a, __m256 b) { return _mm256_max_ps(a, b); }
+#endif
+#if defined(__AVX512F__)
+inline __m512d vector_sqrt(__m512d a) { return _mm512_sqrt_pd(a); }
+inline __m512d vector_larger(__m512d a, __m512d b) { return _mm512_max_pd(a, b); }
+inline __m512 vector_sqrt(__m512 a) { return _mm512_sqrt_ps(a); }
+inline __m512 vector_larger(__m512 a, __m512 b) { return _mm512_max_ps(a, b); }
+#endif
+#if defined(__FMA__)
+inline __m128d vector_fused_subtract(__m128d a, __m128d b, __m128d c) { return _mm_fmsub_pd(a, b, c); }
+inline __m128 vector_fused_subtract(__m128 a, __m128 b, __m128 c) { return _mm_fmsub_ps(a, b, c); }
+inline __m256d vector_fused_subtract(__m256d a, __m256d b, __m256d c) { return _mm256_fmsub_pd(a, b, c); }
+inline __m256 vector_fused_subtract(__m256 a, __m256 b, __m256 c) { return _mm256_fmsub_ps(a, b, c); }
+#endif
+#if defined(__AVX512F__)
+inline __m512d vector_fused_subtract(__m512d a, __m512d b, __m512d c) { return _mm512_fmsub_pd(a, b, c); }
+inline __m512 vector_fused_subtract(__m512 a, __m512 b, __m512 c) { return _mm512_fmsub_ps(a, b, c); }
+#endif
+}  // namespace detail
+
 // --- masks ------------------------------------------------------------------------------------------------------------
 
 namespace detail {
@@ -227,6 +265,10 @@ PackMask<T, N> negated(PackMask<T, N> const& a) {
   return detail::combined(std::bit_xor<>(), a, PackMask<T, N>(true));
 }
 
+template <class T, int N>
+bool is_set(PackMask<T, N> const& mask, int lane) {
+  return mask[lane];
+}
 template <class T, int N>
 bool any(PackMask<T, N> const& mask) {
   if constexpr (detail::in_mask_register<T, N>) {
@@ -266,36 +308,14 @@ Pack<T, N> select(PackMask<T, N> const& mask, Pack<T, N> const& yes, Pack<T, N> 
   }
 }
 
-// --- functions --------------------------------------------------------------------------------------------------------
+/// The maximum by mask, as for single numbers: the instruction has the same rule for equal and unordered operands.
+template <class T, int N>
+requires requires(typename Pack<T, N>::Values v) { detail::vector_larger(v, v); }
+Pack<T, N> larger(Pack<T, N> const& a, Pack<T, N> const& b) {
+  return Pack<T, N>(typename Pack<T, N>::Values(detail::vector_larger(a.values(), b.values())));
+}
 
-namespace detail {
-// The instructions that the compilers' vector types have no operator for, by width. Overloads exist where the target
-// has them; everything else goes lane by lane.
-void vector_sqrt();
-void vector_fused_subtract();
-#if defined(__SSE2__)
-inline __m128d vector_sqrt(__m128d a) { return _mm_sqrt_pd(a); }
-inline __m128 vector_sqrt(__m128 a) { return _mm_sqrt_ps(a); }
-#endif
-#if defined(__AVX__)
-inline __m256d vector_sqrt(__m256d a) { return _mm256_sqrt_pd(a); }
-inline __m256 vector_sqrt(__m256 a) { return _mm256_sqrt_ps(a); }
-#endif
-#if defined(__AVX512F__)
-inline __m512d vector_sqrt(__m512d a) { return _mm512_sqrt_pd(a); }
-inline __m512 vector_sqrt(__m512 a) { return _mm512_sqrt_ps(a); }
-#endif
-#if defined(__FMA__)
-inline __m128d vector_fused_subtract(__m128d a, __m128d b, __m128d c) { return _mm_fmsub_pd(a, b, c); }
-inline __m128 vector_fused_subtract(__m128 a, __m128 b, __m128 c) { return _mm_fmsub_ps(a, b, c); }
-inline __m256d vector_fused_subtract(__m256d a, __m256d b, __m256d c) { return _mm256_fmsub_pd(a, b, c); }
-inline __m256 vector_fused_subtract(__m256 a, __m256 b, __m256 c) { return _mm256_fmsub_ps(a, b, c); }
-#endif
-#if defined(__AVX512F__)
-inline __m512d vector_fused_subtract(__m512d a, __m512d b, __m512d c) { return _mm512_fmsub_pd(a, b, c); }
-inline __m512 vector_fused_subtract(__m512 a, __m512 b, __m512 c) { return _mm512_fmsub_ps(a, b, c); }
-#endif
-}  // namespace detail
+// --- functions --------------------------------------------------------------------------------------------------------
 
 /// Correctly rounded, as IEEE asks.
 template <class T, int N>

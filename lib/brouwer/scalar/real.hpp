@@ -28,6 +28,7 @@ inline bool all(bool mask) { return mask; }
 inline bool both(bool a, bool b) { return a && b; }
 inline bool either(bool a, bool b) { return a || b; }
 inline bool negated(bool mask) { return !mask; }
+inline bool is_set(bool mask, int) { return mask; }
 
 /// Lane by lane: `yes` where the mask is set, `no` elsewhere. Both sides have been computed.
 template <class T>
