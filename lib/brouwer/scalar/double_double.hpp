@@ -215,7 +215,7 @@ class DoubleDouble {
     using math::abs;
     T const high = static_cast<T>(a);
     if (!(abs(high) <= std::numeric_limits<T>::max())) return high;
-    return DoubleDouble(fast_two_sum(high, static_cast<T>(W(a - W(high)))));
+    return DoubleDouble(fast_two_sum(high, T(static_cast<T>(W(a - W(high))) + T(0))));  // + 0: Boost gives −0
   }
 
   template <class I>
@@ -246,6 +246,14 @@ template <class T>
 DoubleDouble<T> abs(DoubleDouble<T> const& a) {
   using math::abs;
   return DoubleDouble<T>(Exact<T>{abs(a.high()), select(a.high() < T(0), T(-a.low()), a.low())});
+}
+
+/// |a| with the sign of b.
+template <class T>
+DoubleDouble<T> copysign(DoubleDouble<T> const& a, DoubleDouble<T> const& b) {
+  using std::copysign;
+  T const high = copysign(a.high(), b.high()), turn = copysign(T(1), a.high()) * copysign(T(1), b.high());
+  return DoubleDouble<T>(Exact<T>{high, turn * a.low()});
 }
 
 /// 7 operations. With a_h in [1, 2) the neglected a_l² is at most u², and the rounding of (a_h² − RN(a_h²)) + 2a_h a_l,
