@@ -40,6 +40,16 @@ TYPED_TEST(ErrorFree, TwoSumLosesNothing) {
   EXPECT_GT(rounded_sums, 1000) << "the samples must round";
 }
 
+TYPED_TEST(ErrorFree, TwoDifferenceIsTheTwoSumOfTheNegative) {
+  Uniform uniform(4);
+  for (int i = 0; i < 2000; ++i) {
+    auto const a = random_number<TypeParam>(uniform, 30), b = random_number<TypeParam>(uniform, 30);
+    auto const difference = two_difference(a, b), sum = two_sum(a, TypeParam(-b));
+    ASSERT_EQ(difference.value, sum.value);
+    ASSERT_EQ(difference.error, sum.error);
+  }
+}
+
 TYPED_TEST(ErrorFree, FastTwoSumLosesNothingWhenTheFirstIsLarger) {
   using E = typename TestFixture::Exactly;
   Uniform uniform(2);

@@ -1,4 +1,5 @@
 // Every arithmetic of the house is a Real, holds the bits that its name says, and converts without loss to wider ones.
+#include <brouwer/scalar/double_double.hpp>
 #include <brouwer/scalar/real.hpp>
 #include <brouwer/scalar/wider.hpp>
 
@@ -9,8 +10,15 @@ namespace {
 
 template <class T>
 struct Arithmetic : testing::Test {};
-using Scalars = testing::Types<float, double, long double, Float128, Mpfr<128>, Mpfr<256>, Mpfr<512>>;
+using Scalars = testing::Types<float, double, long double, Float128, Mpfr<128>, Mpfr<256>, Mpfr<512>,
+                               DoubleDouble<double>, DoubleDouble<float>>;
 TYPED_TEST_SUITE(Arithmetic, Scalars);
+
+/// Those with one significand; a double-double's parts may lie apart.
+template <class T>
+struct OneSignificand : testing::Test {};
+using OneSignificandScalars = testing::Types<float, double, long double, Float128, Mpfr<128>, Mpfr<256>, Mpfr<512>>;
+TYPED_TEST_SUITE(OneSignificand, OneSignificandScalars);
 
 TYPED_TEST(Arithmetic, IsRealAndIsJudgedInAWiderOne) {
   static_assert(Real<TypeParam>);
@@ -25,7 +33,12 @@ TYPED_TEST(Arithmetic, ReturnsFromTheWiderOneUnchanged) {
 }
 
 TYPED_TEST(Arithmetic, EpsilonIsTheLastBitOfOne) {
+  using std::ldexp;
   EXPECT_GT(TypeParam(1) + epsilon<TypeParam>(), TypeParam(1));
+  EXPECT_EQ(epsilon<TypeParam>(), ldexp(TypeParam(1), 1 - significand_bits<TypeParam>));
+}
+
+TYPED_TEST(OneSignificand, HasNothingBelowTheLastBit) {
   EXPECT_EQ(TypeParam(1) + epsilon<TypeParam>() / TypeParam(4), TypeParam(1));
 }
 

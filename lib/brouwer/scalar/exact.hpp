@@ -21,6 +21,15 @@ Exact<T> two_sum(T const& a, T const& b) {
   return {sum, (a - a_seen) + (b - b_seen)};
 }
 
+/// a − b = value + error exactly; bit for bit two_sum(a, −b), without the negation.
+template <Real T>
+Exact<T> two_difference(T const& a, T const& b) {
+  T const difference = a - b;
+  T const b_seen = difference - a;  // −b, nearly
+  T const a_seen = difference - b_seen;
+  return {difference, (a - a_seen) - (b + b_seen)};
+}
+
 /// a + b = value + error exactly where |a| ≥ |b| or a = 0; 3 operations.
 /// T. J. Dekker, Numer. Math. 18 (1971) 224.
 template <Real T>
@@ -29,15 +38,21 @@ Exact<T> fast_two_sum(T const& a, T const& b) {
   return {sum, b - (sum - a)};
 }
 
-/// a · b − c rounded once; for two_prod alone.
+/// a · b + c rounded once. The library fuses nowhere but in two_prod and in double-double arithmetic.
+template <Real T>
+T fused_add(T const& a, T const& b, T const& c) {
+  using std::fma;
+  return fma(a, b, c);
+}
+
+/// a · b − c rounded once.
 template <Real T>
 T fused_subtract(T const& a, T const& b, T const& c) {
   using std::fma;
   return fma(a, b, -c);
 }
 
-/// a · b = value + error exactly, by one fused multiply-add (the only one that the library means);
-/// holds unless the error underflows.
+/// a · b = value + error exactly, by one fused multiply-add; holds unless the error underflows.
 template <Real T>
 Exact<T> two_prod(T const& a, T const& b) {
   T const product = a * b;

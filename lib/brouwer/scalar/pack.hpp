@@ -208,6 +208,7 @@ namespace detail {
 // has them; everything else goes lane by lane.
 void vector_sqrt();
 void vector_larger();
+void vector_fused_add();
 void vector_fused_subtract();
 #if defined(__SSE2__)
 inline __m128d vector_sqrt(__m128d a) { return _mm_sqrt_pd(a); }
@@ -222,18 +223,25 @@ inline __m256 vector_sqrt(__m256 a) { return _mm256_sqrt_ps(a); }
 inline __m256 vector_larger(__m256 a, __m256 b) { return _mm256_max_ps(a, b); }
 #endif
 #if defined(__AVX512F__)
-inline __m512d vector_sqrt(__m512d a) { return _mm512_sqrt_pd(a); }
+// with a mask of ones: the plain intrinsics of g++ 12 warn of their own uninitialised variable (GCC bug 105593)
+inline __m512d vector_sqrt(__m512d a) { return _mm512_maskz_sqrt_pd(0xff, a); }
 inline __m512d vector_larger(__m512d a, __m512d b) { return _mm512_max_pd(a, b); }
-inline __m512 vector_sqrt(__m512 a) { return _mm512_sqrt_ps(a); }
+inline __m512 vector_sqrt(__m512 a) { return _mm512_maskz_sqrt_ps(0xffff, a); }
 inline __m512 vector_larger(__m512 a, __m512 b) { return _mm512_max_ps(a, b); }
 #endif
 #if defined(__FMA__)
+inline __m128d vector_fused_add(__m128d a, __m128d b, __m128d c) { return _mm_fmadd_pd(a, b, c); }
+inline __m128 vector_fused_add(__m128 a, __m128 b, __m128 c) { return _mm_fmadd_ps(a, b, c); }
+inline __m256d vector_fused_add(__m256d a, __m256d b, __m256d c) { return _mm256_fmadd_pd(a, b, c); }
+inline __m256 vector_fused_add(__m256 a, __m256 b, __m256 c) { return _mm256_fmadd_ps(a, b, c); }
 inline __m128d vector_fused_subtract(__m128d a, __m128d b, __m128d c) { return _mm_fmsub_pd(a, b, c); }
 inline __m128 vector_fused_subtract(__m128 a, __m128 b, __m128 c) { return _mm_fmsub_ps(a, b, c); }
 inline __m256d vector_fused_subtract(__m256d a, __m256d b, __m256d c) { return _mm256_fmsub_pd(a, b, c); }
 inline __m256 vector_fused_subtract(__m256 a, __m256 b, __m256 c) { return _mm256_fmsub_ps(a, b, c); }
 #endif
 #if defined(__AVX512F__)
+inline __m512d vector_fused_add(__m512d a, __m512d b, __m512d c) { return _mm512_fmadd_pd(a, b, c); }
+inline __m512 vector_fused_add(__m512 a, __m512 b, __m512 c) { return _mm512_fmadd_ps(a, b, c); }
 inline __m512d vector_fused_subtract(__m512d a, __m512d b, __m512d c) { return _mm512_fmsub_pd(a, b, c); }
 inline __m512 vector_fused_subtract(__m512 a, __m512 b, __m512 c) { return _mm512_fmsub_ps(a, b, c); }
 #endif
@@ -337,7 +345,15 @@ Pack<T, N> abs(Pack<T, N> const& a) {
   return Pack<T, N>::map([](T const& x) { return abs(x); }, a);
 }
 
-/// a·b − c rounded once; for two_prod alone.
+/// a·b + c rounded once.
+template <class T, int N>
+Pack<T, N> fused_add(Pack<T, N> const& a, Pack<T, N> const& b, Pack<T, N> const& c) {
+  if constexpr (requires { detail::vector_fused_add(a.values(), b.values(), c.values()); })
+    return Pack<T, N>(typename Pack<T, N>::Values(detail::vector_fused_add(a.values(), b.values(), c.values())));
+  return Pack<T, N>::map([](T const& x, T const& y, T const& z) { return fused_add(x, y, z); }, a, b, c);
+}
+
+/// a·b − c rounded once.
 template <class T, int N>
 Pack<T, N> fused_subtract(Pack<T, N> const& a, Pack<T, N> const& b, Pack<T, N> const& c) {
   if constexpr (requires { detail::vector_fused_subtract(a.values(), b.values(), c.values()); })
@@ -370,6 +386,16 @@ template <class T, int N>
 Pack<T, N> atan2(Pack<T, N> const& y, Pack<T, N> const& x) {
   using math::atan2;
   return Pack<T, N>::map([](T const& b, T const& a) { return atan2(b, a); }, y, x);
+}
+template <class T, int N>
+Pack<T, N> floor(Pack<T, N> const& a) {
+  using std::floor;
+  return Pack<T, N>::map([](T const& x) { return floor(x); }, a);
+}
+template <class T, int N>
+Pack<T, N> ldexp(Pack<T, N> const& a, int exponent) {
+  using std::ldexp;
+  return Pack<T, N>::map([exponent](T const& x) { return ldexp(x, exponent); }, a);
 }
 template <class T, int N>
 Pack<T, N> pow(Pack<T, N> const& a, Pack<T, N> const& b) {
