@@ -9,7 +9,7 @@ namespace brouwer {
 ///     c₁ = √(I₁/(I₃−I₁))   c₂ = √(I₂/(I₃−I₂))   c₃ = √(I₃/(I₃−I₁))   a₁ = √(2H·I₃ − 2C)   a₂ = √(2C − 2H·I₁)
 ///     k² = (I₂−I₁)/(I₃−I₂) · a₁²/a₂²            u̇ = √((I₃−I₂)/(I₁I₂I₃)) · δ a₂              δ = sign y₃
 ///     y₁ = c₁a₁ cn(u,k)    y₂ = c₂a₁ sn(u,k)    y₃ = δ c₃a₂ dn(u,k)
-/// with H and C evaluated anew in every step; for k > 1 the axes 1 and 3 are exchanged. Exact in exact arithmetic. In
+/// and a step u = F(arctan(y₂/c₂ : y₁/c₁), k) + u̇h, with H and C evaluated anew in every step; for k > 1 the axes 1 and 3 are exchanged. Exact in exact arithmetic. In
 /// rounded arithmetic its constants contradict one another, by the same amount in every step: the energy drifts.
 /// This is the implementation to be contrasted, so everything is computed in the working precision, as written.
 template <Real T, class Functions = OwnElliptic>
@@ -40,7 +40,6 @@ class EllipticNaive : public EllipticBase<T> {
   }
 
   Vector3<T> next_momentum(Vector3<T> const& y) const {
-    using math::atan2;
     using math::sqrt;
     auto const& I = this->body().inertia();
     T const twice_h = T(2) * this->body().energy(y), twice_c = T(2) * this->body().casimir(y);
@@ -56,8 +55,8 @@ class EllipticNaive : public EllipticBase<T> {
     T const c_dn = select(exchanged, c1_, c3_), rate = select(exchanged, rate_[1], rate_[0]);
     T const y_cn = select(exchanged, y[2], y[0]), side = sign_of(select(exchanged, y[0], y[2]));
 
-    T const u = Functions::f(T(atan2(y[1] / c_sn, y_cn / c_cn)), k) + rate * side * a_dn * this->step_size();
-    auto const j = Functions::jacobi(u, k);
+    T const v = rate * side * a_dn * this->step_size();
+    auto const j = Functions::advanced(T(y[1] / c_sn), T(y_cn / c_cn), v, k);
     T const cn_part = c_cn * a_cn * j.cn, dn_part = side * c_dn * a_dn * j.dn;
     Vector3<T> const next{select(exchanged, dn_part, cn_part), c_sn * a_cn * j.sn, select(exchanged, cn_part, dn_part)};
     return select_vector<T>(at_rest(this->constants(), y), y, next);

@@ -5,7 +5,7 @@
 namespace brouwer {
 
 /// The elliptic solution with three constants that are consistent with one another: G. Vilmart, J. Comput. Phys. 227
-/// (2008) 7083. One step in the argument: u = F(atan2(c₁y₂, y₁), k), add u̇h, evaluate. Its energy error is a
+/// (2008) 7083. One step in the argument: u = F(arctan(c₁y₂ : y₁), k), add u̇h, evaluate. Its energy error is a
 /// random walk.
 template <Real T, class Functions = OwnElliptic>
 class EllipticThreeConstants : public EllipticBase<T> {
@@ -17,10 +17,9 @@ class EllipticThreeConstants : public EllipticBase<T> {
 
  private:
   Vector3<T> next_momentum(Vector3<T> const& y) const {
-    using math::atan2;
     EllipticBranch<T> const b(this->constants(), y);
-    T const u = Functions::f(T(atan2(b.c_cn * b.y_sn, b.y_cn)), b.modulus);
-    auto const j = Functions::jacobi(T(u + b.rate(this->constants().c3) * this->step_size()), b.modulus);
+    T const v = b.rate(this->constants().c3) * this->step_size();
+    auto const j = Functions::advanced(T(b.c_cn * b.y_sn), b.y_cn, v, b.modulus);
     return select_vector<T>(at_rest(this->constants(), y), y, b.momentum(j));
   }
 };

@@ -345,6 +345,20 @@ Pack<T, N> abs(Pack<T, N> const& a) {
   return Pack<T, N>::map([](T const& x) { return abs(x); }, a);
 }
 
+/// |a| with the sign of b, that of zero included.
+template <class T, int N>
+Pack<T, N> copysign(Pack<T, N> const& a, Pack<T, N> const& b) {
+  if constexpr (Pack<T, N>::in_register) {
+    using Storage = detail::LaneStorage<T, N>;
+    using Integers = typename Storage::Integers;
+    auto const magnitude = Integers{} + std::numeric_limits<typename Storage::Integer>::max();
+    return Pack<T, N>(
+        typename Storage::Values((Integers(a.values()) & magnitude) | (Integers(b.values()) & ~magnitude)));
+  }
+  using math::copysign;
+  return Pack<T, N>::map([](T const& x, T const& y) { return copysign(x, y); }, a, b);
+}
+
 /// a·b + c rounded once.
 template <class T, int N>
 Pack<T, N> fused_add(Pack<T, N> const& a, Pack<T, N> const& b, Pack<T, N> const& c) {

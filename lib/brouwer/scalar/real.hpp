@@ -15,6 +15,7 @@ using Mask = decltype(std::declval<T>() < std::declval<T>());
 namespace math {
 using std::abs;
 using std::atan2;
+using std::copysign;
 using std::cos;
 using std::cosh;
 using std::sin;

@@ -3,6 +3,8 @@
 
 #include <brouwer/scalar/wider.hpp>
 #include <brouwer/special/carlson.hpp>
+#include <brouwer/special/hyperbolic.hpp>
+#include <brouwer/special/trigonometric.hpp>
 
 namespace brouwer {
 
@@ -33,94 +35,153 @@ T complete_elliptic_k(T const& k) {
   return carlson_rf(T(0), complementary_parameter(k), T(1));
 }
 
+/// The elliptic functions and integrals of one modulus k, which share its arithmetic–geometric means
+///     a₀ = 1   g₀ = √(1 − k²)   aₙ₊₁ = (aₙ + gₙ)/2   gₙ₊₁ = √(aₙgₙ)   until |aₙ − gₙ| ≤ 2√ε aₙ; A = aₙ₊₁.
+/// @param k  modulus, 0 ≤ k ≤ 1
+/// Rounding: the order of operations is part of the contract; a lane takes the stages that it needs and no more.
+template <Real T>
+class EllipticFunctions {
+ public:
+  explicit EllipticFunctions(T const& k) : degenerate_(k >= T(1)) {
+    using math::abs;
+    using math::sqrt;
+    T a = T(1), g = sqrt(select(degenerate_, T(1), complementary_parameter(k)));
+    mean_ = a;
+    for (M active = a > T(0);;) {
+      Stage& stage = stages_[count_++];
+      T const mean = (a + g) / T(2);
+      stage = {active, a * g, a * mean, g * mean};
+      mean_ = select(active, mean, mean_);
+      active = both(active, abs(a - g) > T(2) * root_epsilon() * a);
+      if (!any(active) || count_ == most_stages) break;
+      a = mean;
+      g = sqrt(stage.ag);
+    }
+  }
+
+  /// The u with sn u : cn u = s : c, that is F(arctan(s/c), k), −K ≤ u ≤ K.
+  /// @param s,c  any two numbers with c ≥ 0 in a proportion; k = 1, c = 0: ±∞
+  /// Method:   Landen's transformation of w = a cot φ, w → (w − ag/w)/2, which doubles φ; the half turns are counted:
+  ///           R. Bulirsch, Numer. Math. 7 (1965) 78 [DLMF 19.8(ii)]. k = 1: R_F. Small s/c: s/c.
+  T argument(T const& s, T const& c) const {
+    using math::abs;
+    T const size = abs(s);
+    M const tiny = size <= root_epsilon() / T(2) * c;
+    T w = c / select(tiny, T(1), size), half_turns = T(0), scale = T(1);
+    for (std::size_t i = 0; i < count_; ++i) {
+      M const& active = stages_[i].active;
+      w = select(w == T(0), squared(epsilon<T>()), w);  // φ = π/2, a rounding error short of it
+      half_turns = select(active, T(2) * half_turns + select(w < T(0), T(1), T(0)), half_turns);
+      scale = select(active, T(2) * scale, scale);
+      w = select(active, (w - stages_[i].ag / w) / T(2), w);
+    }
+    T const phi = half_turns * pi<T>() + arctangent(mean_, w);
+    T u = sign_of(s) * (phi / (scale * mean_));
+    if (any(tiny)) u = select(tiny, s / select(c > T(0), c, T(1)), u);
+    if (any(degenerate_)) u = select(degenerate_, hyperbolic_argument(s, c), u);
+    return u;
+  }
+
+  /// sn, cn, dn of u.
+  /// Method:   Gauss's transformation of a cot φ back through the means: R. Bulirsch, Numer. Math. 7 (1965) 78
+  ///           [DLMF 22.20(ii)]. k = 1: tanh and sech. Near a zero of sn: its tangent.
+  Jacobi<T> jacobi(T const& u) const {
+    using math::abs;
+    using math::sqrt;
+    auto const angle = sine_cosine(T(mean_ * select(degenerate_, T(0), u)));
+    M const tiny = abs(angle.sin) < root_epsilon() / T(2) * mean_;
+    T c = mean_ * angle.cos / select(tiny, T(1), angle.sin), dn = T(1);
+    for (std::size_t i = count_; i-- > 0;) {
+      auto const& stage = stages_[i];
+      T const c2 = c * c;
+      c = c * dn;
+      dn = select(stage.active, (stage.gm + c2) / (stage.am + c2), T(1));
+    }
+    T const sn = sign_of(angle.sin) / sqrt(c * c + T(1));
+    Jacobi<T> j{sn, c * sn, dn};
+    if (any(tiny)) j = select(tiny, Jacobi<T>{angle.sin / mean_, sign_of(angle.cos), T(1)}, j);
+    if (any(degenerate_)) j = select(degenerate_, hyperbolic(u), j);
+    return j;
+  }
+
+  /// K(k) = π/(2A) [DLMF 19.8.5]; ∞ for k = 1.
+  T quarter_period() const { return select(degenerate_, std::numeric_limits<T>::infinity(), pi<T>() / (T(2) * mean_)); }
+
+ private:
+  using M = Mask<T>;
+  /// a = aₙ, g = gₙ, m = aₙ₊₁
+  struct Stage {
+    M active;
+    T ag, am, gm;
+  };
+  /// From g₀ ≥ √ε: log₂ log₂ (1/g₀) stages until g/a is near 1, and as many again.
+  static constexpr std::size_t most_stages = significand_bits<T> > 64 ? 32 : 16;
+
+  static T root_epsilon() {
+    if constexpr (OwnElementary<T>) {
+      return T(ElementaryConstants<Element<T>>::root_epsilon);
+    } else {
+      using math::sqrt;
+      static T const root = sqrt(epsilon<T>());
+      return root;
+    }
+  }
+
+  /// sech and tanh: the limit k = 1.
+  static Jacobi<T> hyperbolic(T const& u) {
+    auto const h = sech_tanh(u);
+    return {h.tanh, h.sech, h.sech};
+  }
+
+  /// F(φ, 1) = sin φ R_F(cos²φ, cos²φ, 1), with sin φ and cos φ in a proportion.
+  T hyperbolic_argument(T const& s, T const& c) const {
+    M const inside = both(degenerate_, c > T(0));
+    T const cosine = select(inside, c, T(1)), sine = select(inside, s, T(0));
+    T const c2 = squared(cosine);
+    return select(inside, sine * carlson_rf(c2, c2, T(c2 + squared(sine))),
+                  sign_of(s) * std::numeric_limits<T>::infinity());
+  }
+
+  M degenerate_;
+  T mean_;
+  std::size_t count_ = 0;
+  std::array<Stage, most_stages> stages_;
+};
+
 /// Incomplete elliptic integral of the first kind F(φ, k) = ∫₀^φ dθ / √(1 − k² sin²θ).
 /// @param phi  amplitude, radians, −π ≤ φ ≤ π
 /// @param k    modulus, 0 ≤ k ≤ 1; with k = 1 only |φ| < π/2 is finite
-/// Method:   sin φ R_F(cos²φ, 1 − k² sin²φ, 1) [DLMF 19.25.5], the second argument as cos²φ + (1 − k²) sin²φ; beyond
-/// π/2 the reflection 2K(k) − F(π − φ, k).
-/// Error:    below 8 ulp in double; measured in tests/special/elliptic_test.cpp, not proved.
+/// Method:   EllipticFunctions::argument; beyond π/2 the reflection 2K(k) − F(π − φ, k).
+/// Error:    MEASURED_F
 template <Real T>
 T elliptic_f(T const& phi, T const& k) {
-  using math::cos;
-  using math::sin;
-  T const s = sin(phi), c = cos(phi);
-  T const near = s * carlson_rf(c * c, c * c + complementary_parameter(k) * (s * s), T(1));
-  auto const beyond = c < T(0);
-  if (!any(beyond)) return near;
-  T const k_inside = select(beyond, k, T(0));  // no K(1) for lanes that do not ask for it
-  return select(beyond, T(2) * sign_of(s) * complete_elliptic_k(k_inside) - near, near);
+  using math::abs;
+  EllipticFunctions<T> const functions(k);
+  auto const angle = sine_cosine(phi);
+  T const near = functions.argument(angle.sin, T(abs(angle.cos)));
+  return select(angle.cos < T(0), T(2) * sign_of(angle.sin) * functions.quarter_period() - near, near);
 }
-
-namespace detail {
-
-/// sech and tanh: the limit k = 1.
-template <Real T>
-Jacobi<T> hyperbolic_jacobi(T const& u) {
-  using math::cosh;
-  using math::tanh;
-  T const sech = T(1) / cosh(u);
-  return {tanh(u), sech, sech};
-}
-
-template <Real T>
-inline constexpr int agm_limit = 16 + (significand_bits<T> > 64 ? 16 : 0);
-
-}  // namespace detail
 
 /// Jacobi's elliptic functions sn(u, k), cn(u, k), dn(u, k).
 /// @param u  argument, any finite number (accuracy is that of reducing u by the period)
 /// @param k  modulus, 0 ≤ k ≤ 1
-/// Method:   arithmetic–geometric mean forward, Gauss's transformation of cot backward: R. Bulirsch,
-///           Numer. Math. 7 (1965) 78 [DLMF 22.20(ii)]. k = 1: tanh and sech. Near a zero of sn: its tangent.
-/// Error:    below 12 ulp of 1 in double; measured in tests/special/elliptic_test.cpp, not proved.
-/// Rounding: the order of operations is part of the contract; a converged lane is frozen.
+/// Method:   EllipticFunctions::jacobi
+/// Error:    MEASURED_JACOBI
 template <Real T>
 Jacobi<T> jacobi_elliptic(T const& u, T const& k) {
+  return EllipticFunctions<T>(k).jacobi(u);
+}
+
+/// sn, cn, dn of u + v, where sn u : cn u = s : c for any two numbers s and c; k as above.
+/// Method:   u is taken in −K ≤ u ≤ K: half a period from there sn and cn have changed their signs and dn has not.
+template <Real T>
+Jacobi<T> jacobi_advanced(T const& s, T const& c, T const& v, T const& k) {
   using math::abs;
-  using math::cos;
-  using math::sin;
-  using math::sqrt;
-  constexpr int limit = detail::agm_limit<T>;
-  static T const root_epsilon = sqrt(epsilon<T>());
-  auto const degenerate = k >= T(1);
-  using M = std::remove_cv_t<decltype(degenerate)>;
-
-  // the means: arithmetic a, geometric g; `ran` remembers which lanes took a stage
-  std::array<T, limit> a_at{}, g_at{};
-  std::array<M, limit> ran{};
-  T a = T(1), c = T(1), product = select(degenerate, T(1), complementary_parameter(k));
-  M active = a > T(0);
-  int stages = 0;
-  for (; stages < limit && any(active); ++stages) {
-    T const g = sqrt(product);
-    T const mean = (a + g) / T(2);
-    auto const slot = static_cast<std::size_t>(stages);
-    a_at[slot] = a;
-    g_at[slot] = g;
-    ran[slot] = active;
-    c = select(active, mean, c);
-    active = both(active, abs(a - g) > root_epsilon * a);
-    product = select(active, g * a, product);
-    a = select(active, mean, a);
-  }
-
-  // back through the stages with c = cot of the amplitude, scaled
-  T const s = sin(c * u), cosine = cos(c * u);
-  auto const tiny = abs(s) < root_epsilon * c / T(2);
-  Jacobi<T> const at_zero{s / c, sign_of(cosine), T(1)};
-  T ratio = cosine / select(tiny, T(1), s), dn = T(1);
-  c = c * ratio;
-  for (int stage = stages - 1; stage >= 0; --stage) {
-    auto const slot = static_cast<std::size_t>(stage);
-    T const b = a_at[slot], x = ratio * c, y = c * dn;
-    T const d = (g_at[slot] + x) / (b + x);
-    ratio = select(ran[slot], y / b, ratio);
-    c = select(ran[slot], y, c);
-    dn = select(ran[slot], d, dn);
-  }
-  T const sn = sign_of(s) / sqrt(c * c + T(1));
-  auto const regular = select(tiny, at_zero, Jacobi<T>{sn, c * sn, dn});
-  return any(degenerate) ? select(degenerate, detail::hyperbolic_jacobi(u), regular) : regular;
+  EllipticFunctions<T> const functions(k);
+  T const side = sign_of(c);
+  T const u = functions.argument(T(side * s), T(abs(c)));
+  auto const j = functions.jacobi(T(u + v));
+  return {side * j.sn, side * j.cn, j.dn};
 }
 
 }  // namespace brouwer

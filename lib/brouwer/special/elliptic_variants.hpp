@@ -13,6 +13,7 @@
 namespace brouwer {
 
 // Whose F(φ, k) and sn, cn, dn(u, k) an integrator calls. The variant is a factor of a study: it changes the bits.
+// advanced(s, c, v, k): sn, cn, dn of F(arctan(s/c), k) + v, the arc tangent in the quadrant of the point (c, s).
 // Each has `exists_in<T>`. k lies in [0, 1]; beyond it the value is unspecified, but a variant neither throws nor aborts.
 
 /// This library's functions; any Real.
@@ -27,6 +28,10 @@ struct OwnElliptic {
   template <Real T>
   static Jacobi<T> jacobi(T const& u, T const& k) {
     return jacobi_elliptic(u, k);
+  }
+  template <Real T>
+  static Jacobi<T> advanced(T const& s, T const& c, T const& v, T const& k) {
+    return jacobi_advanced(s, c, v, k);
   }
 };
 
@@ -47,6 +52,9 @@ struct GslElliptic {
     if (gsl_sf_elljac_e(u, k * k, &j.sn, &j.cn, &j.dn) == GSL_SUCCESS) return j;
     double const nan = std::numeric_limits<double>::quiet_NaN();
     return {nan, nan, nan};
+  }
+  static Jacobi<double> advanced(double s, double c, double v, double k) {
+    return jacobi(f(arctangent(s, c), k) + v, k);
   }
 
  private:
@@ -78,6 +86,10 @@ struct BoostElliptic {
     Jacobi<T> j{};
     j.sn = boost::math::jacobi_elliptic(k, u, &j.cn, &j.dn, Policy());
     return j;
+  }
+  template <Real T>
+  static Jacobi<T> advanced(T const& s, T const& c, T const& v, T const& k) {
+    return jacobi(T(f(arctangent(s, c), k) + v), k);
   }
 
  private:

@@ -26,10 +26,8 @@ struct AttitudeFrame {
   /// with P = √(2(1 + y·e/r)) p and P' = P + ΔP the product is |P|² (cos η, sin η y/r) + P* ⊗ (cos η, e sin η) ⊗ ΔP
   /// over |P||P'|, η = Δψ/2, because P* takes e back to y/r.
   Quaternion<T> turn_less_one(Vector3<T> const& dy, T const& psi) const {
-    using math::cos;
-    using math::sin;
     using math::sqrt;
-    T const eta = psi / T(2), c = cos(eta), s = sin(eta);
+    auto const [s, c] = sine_cosine(T(psi / T(2)));
     Vector3<T> const step{dy[0] / r, dy[1] / r, dy[2] / r};
     T const cosine_step = step[0] * e[0] + step[2] * e[2];
     auto const v = cross(direction, e), dv = cross(step, e);

@@ -1,4 +1,5 @@
 #pragma once
+#include <brouwer/special/trigonometric.hpp>
 #include <brouwer/systems/state.hpp>
 
 namespace brouwer {
@@ -49,12 +50,11 @@ Vector3<T> rotated(Quaternion<T> const& q, Vector3<T> const& v) {
 /// The rotation vector (radians) of a quaternion, of length 0 … π: q and −q are the same rotation.
 template <Real T>
 Vector3<T> rotation_vector(Quaternion<T> const& q) {
-  using math::atan2;
   using math::sqrt;
   T const length = sqrt(q.x() * q.x() + q.y() * q.y() + q.z() * q.z());
   T const side = sign_of(q.w());
-  T const factor = select(length > T(0),
-                          T(2) * side * atan2(length, side * q.w()) / select(length > T(0), length, T(1)), T(2) * side);
+  T const factor = select(
+      length > T(0), T(2) * side * arctangent(length, side * q.w()) / select(length > T(0), length, T(1)), T(2) * side);
   return {factor * q.x(), factor * q.y(), factor * q.z()};
 }
 

@@ -23,8 +23,8 @@ class RigidBodyFlow {
         frame_(branch_, start.momentum),
         resting_(at_rest(constants_, start.momentum)),
         rate_(branch_.rate(constants_.c3)) {
-    using math::atan2;
-    argument_ = resting_ ? T(0) : elliptic_f(T(atan2(branch_.c_cn * branch_.y_sn, branch_.y_cn)), branch_.modulus);
+    argument_ =
+        resting_ ? T(0) : elliptic_f(T(arctangent(T(branch_.c_cn * branch_.y_sn), branch_.y_cn)), branch_.modulus);
     periodic_ = !resting_ && branch_.modulus < T(1);
     if (periodic_) {
       period_ = T(2) * complete_elliptic_k(branch_.modulus) / abs(rate_);
