@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include <brouwer/integrators/coefficients.hpp>
@@ -37,12 +38,10 @@ class Dmv {
       : attitude_(setup.attitude), inertia_(setup.system, setup.step), constants_(inertia_(setup.start.momentum)) {
     using math::sqrt;
     tolerance_ = T(8) * epsilon<T>() * sqrt(squared_norm(setup.start.momentum));
-    turns_ = turns_needed(setup.start.momentum);
-    fewest_turns_ = most_turns_ = static_cast<int>(lane(turns_, 0));
-    for (int i = 1; i < lanes<T>; ++i) {
-      fewest_turns_ = std::min(fewest_turns_, static_cast<int>(lane(turns_, i)));
-      most_turns_ = std::max(most_turns_, static_cast<int>(lane(turns_, i)));
-    }
+    auto const needed = turns_needed(setup.start.momentum);
+    turns_ = from_lanes<T>([&](int i) { return Element<T>(needed[static_cast<std::size_t>(i)]); });
+    fewest_turns_ = *std::min_element(needed.begin(), needed.end());
+    most_turns_ = *std::max_element(needed.begin(), needed.end());
   }
 
   /// The equation of one step, being solved: the iterate, and the constants where they are this step's own.
@@ -152,7 +151,7 @@ class Dmv {
   }
 
   /// Turns from y until the next one would move m by less than 1/16 ulp of |y|, lane by lane; at least one.
-  T turns_needed(Vector3<T> const& y) const {
+  std::array<int, lanes<T>> turns_needed(Vector3<T> const& y) const {
     using W = Wider<T>;
     using math::sqrt;
     auto const wide = [](Vector3<T> const& v) { return Vector3<W>{W(v[0]), W(v[1]), W(v[2])}; };
@@ -162,13 +161,14 @@ class Dmv {
     } iterate{wide(y), W(1)};
     DmvConstants<W> const k(wide(constants_.eta));
     W const goal = W(epsilon<T>()) / W(16) * sqrt(squared_norm(iterate.m));
-    T needed = T(1);
+    std::array<int, lanes<T>> needed{};
+    needed.fill(1);
     auto active = W(0) < W(1);
     for (int i = 0; i < turn_limit && any(active); ++i) {
       auto const before = iterate.m;
       turn(wide(y), k, iterate);
       active = both(active, distance(iterate.m, before) > goal);
-      if (i > 0) needed = from_lanes<T>([&](int l) { return lane(needed, l) + Element<T>(is_set(active, l) ? 1 : 0); });
+      for (int l = 0; i > 0 && l < lanes<T>; ++l) needed[static_cast<std::size_t>(l)] += is_set(active, l) ? 1 : 0;
     }
     return needed;
   }
