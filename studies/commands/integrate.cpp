@@ -36,7 +36,7 @@ std::string hexadecimal(Widest const& x) {
   return fmt::format("{}p{:+}", text.substr(0, text.find('p')), exponent);
 }
 
-/// Names of the first integrals, component by component, as Trajectory::first_integrals orders them.
+/// Names of the first integrals, component by component, as Trajectories::first_integrals orders them.
 std::vector<std::string> integral_names(SystemDescription const& system) {
   std::vector<std::string> names;
   for (auto const& quantity : system.quantities)
@@ -59,12 +59,12 @@ class Tracer {
     fmt::print("t,{},{}\n", fmt::join(system.state_components, ","), fmt::join(integral_names_, ","));
   }
 
-  void line(Trajectory const& trajectory, std::int64_t steps) {
-    trajectory.state(state_);
+  void line(Trajectories const& trajectory, std::int64_t steps) {
+    trajectory.state(0, state_);
     if (!std::all_of(state_.begin(), state_.end(), [](Widest const& x) { return isfinite(x); }))
       throw RunError(
           fmt::format("the state is no longer finite at step {}: is the step too large for this method?", steps));
-    trajectory.first_integrals(integrals_);
+    trajectory.first_integrals(0, integrals_);
     std::string text = written(Widest(step_) * steps);
     for (auto const* values : {&state_, &integrals_})
       for (auto const& value : *values) text.append(",").append(written(value));

@@ -65,7 +65,7 @@ double momentum_after(int steps, std::string const& coefficients) {
   auto const trajectory = begin_trajectory(catalogue(), cell_with(coefficients), start, true);
   trajectory->advance(steps);
   std::vector<Widest> state(7);
-  trajectory->state(state);
+  trajectory->state(0, state);
   return static_cast<double>(state[0]);
 }
 

@@ -94,7 +94,7 @@ TEST_F(RunOfAStudy, GivesAMemberAloneTheBitsThatItHasInTheEnsemble) {
     auto const alone = begin_trajectory(catalogue, cell, start, true);
     alone->advance(cell.steps);
     std::vector<Widest> last(7);
-    alone->state(last);
+    alone->state(0, last);
     std::vector<double> errors(6);
     alone->first_integral_errors(errors);
     for (std::size_t c = 0; c < 7; ++c)

@@ -5,6 +5,7 @@
 
 #include <brouwer/ensemble/catalogue.hpp>
 #include <brouwer/error.hpp>
+#include <brouwer/scalar/double_double.hpp>
 #include <brouwer/scalar/float128.hpp>
 #include <brouwer/scalar/mpfr.hpp>
 
@@ -24,11 +25,30 @@ void for_each_arithmetic(Visit visit) {
   visit(NamedArithmetic<float>{"float", "IEEE binary32"});
   visit(NamedArithmetic<double>{"double", "IEEE binary64"});
   visit(NamedArithmetic<long double>{"long-double", "x87 extended: 80 bits with a significand of 64"});
+  visit(NamedArithmetic<DoubleDouble<double>>{"double-double", "unevaluated sum of two doubles"});
   visit(NamedArithmetic<Float128>{"float128", "IEEE binary128 in software (libquadmath)"});
   visit(NamedArithmetic<Mpfr<128>>{"mpfr-128", "MPFR, every operation correctly rounded"});
   visit(NamedArithmetic<Mpfr<256>>{"mpfr-256", "MPFR, every operation correctly rounded"});
   visit(NamedArithmetic<Mpfr<512>>{"mpfr-512", "MPFR, every operation correctly rounded"});
 }
+
+/// The packs of an arithmetic in registers of so many bytes, or T where it has none.
+template <class T, int bytes>
+struct PackOf {
+  using type = T;
+};
+template <int bytes>
+struct PackOf<float, bytes> {
+  using type = Pack<float, bytes / 4>;
+};
+template <int bytes>
+struct PackOf<double, bytes> {
+  using type = Pack<double, bytes / 8>;
+};
+template <int bytes>
+struct PackOf<DoubleDouble<double>, bytes> {
+  using type = DoubleDouble<Pack<double, bytes / 8>>;
+};
 
 /// Calls visit(NamedArithmetic<T>) for the arithmetic of that name; nothing happens where there is none.
 template <class Visit>

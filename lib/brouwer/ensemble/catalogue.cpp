@@ -40,6 +40,10 @@ MethodEntry const& Catalogue::method(std::string const& system, std::string cons
   return find(methods, "method", name, system);
 }
 
+MethodEntry& Catalogue::method(std::string const& system, std::string const& name) {
+  return const_cast<MethodEntry&>(std::as_const(*this).method(system, name));  // NOLINT: one search for both
+}
+
 ArithmeticEntry const& Catalogue::arithmetic(std::string const& name) const {
   return find(arithmetics, "arithmetic", name);
 }
@@ -79,7 +83,19 @@ std::vector<std::string> const& coefficient_levels() {
 Catalogue builtin_catalogue() {
   Catalogue catalogue;
   catalogue.arithmetics = arithmetic_entries();
-  add_rigid_body(catalogue);
+  catalogue.systems.push_back(describe_rigid_body());
+  add_elliptic_methods(catalogue);
+  add_dmv_methods(catalogue);
+#if defined(BROUWER_HAS_WIDE_PACKS)
+  if (widest_instruction_set() >= InstructionSet::avx2) {
+    brouwer_add_elliptic_packs_avx2(catalogue);
+    brouwer_add_dmv_packs_avx2(catalogue);
+  }
+  if (widest_instruction_set() >= InstructionSet::avx512) {
+    brouwer_add_elliptic_packs_avx512(catalogue);
+    brouwer_add_dmv_packs_avx512(catalogue);
+  }
+#endif
   return catalogue;
 }
 

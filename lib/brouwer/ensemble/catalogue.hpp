@@ -6,11 +6,21 @@
 #include <string>
 #include <vector>
 
+#include <brouwer/ensemble/instruction_set.hpp>
 #include <brouwer/ensemble/study.hpp>
-#include <brouwer/ensemble/trajectory.hpp>
+#include <brouwer/ensemble/trajectories.hpp>
 #include <brouwer/systems/description.hpp>
 
 namespace brouwer {
+
+/// Turns names into running trajectories; nothing where a combination of names does not exist.
+using TrajectoriesMaker = std::function<std::unique_ptr<Trajectories>(TrajectoryRequest const&)>;
+
+/// The same with a member in each lane of a pack.
+struct LaneMaker {
+  InstructionSet set;
+  TrajectoriesMaker begin;
+};
 
 /// A method as data, and the one function that turns names into a running trajectory.
 struct MethodEntry {
@@ -23,7 +33,9 @@ struct MethodEntry {
   bool uses_special_functions = false;  ///< the variants own, gsl, boost apply
   bool uses_coefficients = false;       ///< modified coefficients, per step or per trajectory
   bool uses_libm = false;               ///< sin, cos, atan …: bits depend on the machine's libm
-  std::function<std::unique_ptr<Trajectory>(TrajectoryRequest const&)> begin;
+  bool runs_in_lanes = false;     ///< has no branch on data that cannot be masked: packs of float, double, double-double
+  TrajectoriesMaker begin;        ///< one number a scalar; every arithmetic of the catalogue
+  std::vector<LaneMaker> lanes;   ///< the same in packs; every instruction set that was compiled
 };
 
 struct ArithmeticEntry {
@@ -43,6 +55,7 @@ class Catalogue {
   /// @throws InputError "there is no method 'x'; did you mean 'y'?" where there is no such name.
   SystemDescription const& system(std::string const& name) const;
   MethodEntry const& method(std::string const& system, std::string const& name) const;
+  MethodEntry& method(std::string const& system, std::string const& name);
   ArithmeticEntry const& arithmetic(std::string const& name) const;
   Quantity const& quantity(std::string const& system, std::string const& name) const;
 };

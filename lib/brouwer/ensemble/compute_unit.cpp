@@ -1,62 +1,79 @@
 #include <algorithm>
+#include <chrono>
 
 #include <brouwer/ensemble/observer.hpp>
+#include <brouwer/ensemble/reference.hpp>
 #include <brouwer/ensemble/run.hpp>
 #include <brouwer/ensemble/start.hpp>
 
 namespace brouwer {
 namespace {
 
-/// Steps between two looks at the clock, the signal and the progress; no influence on the numbers.
-constexpr std::int64_t stride = 4096;
-
 /// What is told to the outside while a unit runs.
-struct Watch {
-  Progress& progress;
-  std::atomic<bool> const* stop;
-  bool stopped() const { return stop != nullptr && stop->load(std::memory_order_relaxed); }
-};
-
-/// Advances, in strides; false if stopped midway.
-bool advance_watched(Trajectory& trajectory, std::int64_t steps, Watch const& watch) {
-  while (steps > 0 && !watch.stopped()) {
-    std::int64_t const now = std::min(steps, stride);
-    trajectory.advance(now);
-    steps -= now;
-    watch.progress.steps_done.fetch_add(now, std::memory_order_relaxed);
-  }
-  return steps == 0;
-}
-
-/// Where a member should be: by the exact flow, or by the same method in the reference's arithmetic.
-class Comparison {
+class Watch {
  public:
-  Comparison(Study const& study, Catalogue const& catalogue, CellLabels cell, Start const& start, bool attitude)
-      : kind_(study.reference.kind), state_(catalogue.system(study.system).state_components.size()) {
-    if (kind_ != Reference::Kind::same_method) return;
-    cell.step = rounded_to(cell.arithmetic, cell.step);
-    cell.arithmetic = study.reference.arithmetic;
-    if (!variant_exists(cell.special_functions, cell.arithmetic)) cell.special_functions = "own";
-    companion_ = begin_trajectory(catalogue, cell, start, attitude);
-  }
+  Watch(Progress& progress, std::atomic<bool> const* stop) : progress_(progress), stop_(stop) {}
 
-  /// The state that `member` should have at step `now`, `steps` after the last call; false if stopped midway.
-  bool move_to(Trajectory const& member, std::int64_t now, std::int64_t steps, Watch const& watch) {
-    if (kind_ == Reference::Kind::exact) {
-      member.exact_state(now, state_);
-      return true;
+  /// Advances, in strides of about 10 to 40 ms, after each of which it looks at the signal and tells the progress; no
+  /// influence on the numbers.
+  /// @return false if stopped midway
+  bool advance(Trajectories& trajectories, std::int64_t steps) {
+    using clock = std::chrono::steady_clock;
+    while (steps > 0 && !stopped()) {
+      std::int64_t const now = std::min(steps, stride_);
+      auto const begin = clock::now();
+      trajectories.advance(now);
+      double const seconds = std::chrono::duration<double>(clock::now() - begin).count();
+      if (seconds > 0.04) stride_ = std::max<std::int64_t>(1, stride_ / 2);
+      if (seconds < 0.01 && now == stride_) stride_ *= 2;
+      steps -= now;
+      progress_.steps_done.fetch_add(now * static_cast<std::int64_t>(trajectories.members()),
+                                     std::memory_order_relaxed);
     }
-    if (!advance_watched(*companion_, steps, watch)) return false;
-    companion_->state(state_);
-    return true;
+    return steps == 0;
   }
-
-  std::span<Widest const> state() const { return state_; }
 
  private:
-  Reference::Kind kind_;
+  bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
+
+  Progress& progress_;
+  std::atomic<bool> const* stop_;
+  std::int64_t stride_ = 16;
+};
+
+/// Where members should be: by the exact flow, or by the same method in the reference's arithmetic.
+class Comparison {
+ public:
+  /// @param reference  "exact", or an arithmetic
+  Comparison(Catalogue const& catalogue, CellLabels const& cell, std::string const& reference,
+             std::vector<Start> const& starts, bool attitude, InstructionSet widest)
+      : exact_(reference == "exact"),
+        companion_(begin_trajectories(catalogue, exact_ ? cell : reference_cell(cell, reference), starts, attitude,
+                                      exact_ ? InstructionSet::none : widest)),
+        state_(catalogue.system(cell.system).state_components.size()) {}
+
+  std::size_t members() const { return companion_->members(); }
+
+  /// @return false if stopped midway
+  bool advance(std::int64_t steps, Watch& watch) {
+    now_ += steps;
+    return exact_ || watch.advance(*companion_, steps);
+  }
+
+  /// The state that a member should have now.
+  std::span<Widest const> state(std::size_t member) {
+    if (exact_)
+      companion_->exact_state(member, now_, state_);
+    else
+      companion_->state(member, state_);
+    return state_;
+  }
+
+ private:
+  bool exact_;
+  std::unique_ptr<Trajectories> companion_;
   std::vector<Widest> state_;
-  std::unique_ptr<Trajectory> companion_;
+  std::int64_t now_ = 0;
 };
 
 /// Names of the numbers of some fields: inertia-1, inertia-2 …
@@ -68,23 +85,49 @@ std::vector<std::string> parameter_names(SystemDescription const& system) {
   return names;
 }
 
-/// A unit in work: the loop over its members and their samples.
+/// A unit in work: its members side by side, from sample to sample.
 class UnitWork {
  public:
-  UnitWork(Study const& study, Catalogue const& catalogue, CellLabels const& cell, Unit const& unit, Watch watch)
+  UnitWork(Study const& study, Catalogue const& catalogue, Plan const& plan, Unit const& unit, InstructionSet widest,
+           Watch watch)
       : study_(study),
         catalogue_(catalogue),
         system_(catalogue.system(study.system)),
-        cell_(cell),
+        cell_(plan.cells[unit.cell]),
+        reference_(plan.references[unit.cell]),
         unit_(unit),
+        widest_(widest),
         watch_(watch),
-        samples_(sample_steps(study.samples, cell.steps)),
+        samples_(sample_steps(study.samples, cell_.steps)),
         observer_(system_, study.quantities, unit.members, compared_members(study, unit), samples_.size()) {}
 
   UnitOutcome run(std::string const& hash) {
+    auto const starts = member_starts();
+    auto const trajectories = begin_trajectories(catalogue_, cell_, starts, observer_.needs_attitude(), widest_);
+    if (!observe_along(*trajectories, starts)) return {};
+    UnitRecord record = labelled(hash);
+    for (auto const& start : starts) {
+      record.start.insert(record.start.end(), start.parameters.begin(), start.parameters.end());
+      record.start.insert(record.start.end(), start.state.begin(), start.state.end());
+    }
+    put_final_states(*trajectories, record);
+    record.series = observer_.take_series();
+    return {true, std::move(record)};
+  }
+
+ private:
+  std::vector<Start> member_starts() const {
+    std::vector<Start> starts;
+    for (std::int64_t i = 0; i < unit_.members; ++i)
+      starts.push_back(rounded_to(cell_.arithmetic, member_start(study_, system_, unit_.first_member + i)));
+    return starts;
+  }
+
+  UnitRecord labelled(std::string const& hash) const {
     UnitRecord record;
     record.study_hash = hash;
     record.cell = cell_;
+    record.reference = reference_;
     record.first_member = unit_.first_member;
     record.members = unit_.members;
     record.sample_steps = samples_;
@@ -92,26 +135,17 @@ class UnitWork {
     record.start_names.insert(record.start_names.end(), system_.state_components.begin(),
                               system_.state_components.end());
     record.state_names = integrated_components();
-    for (std::int64_t i = 0; i < unit_.members; ++i)
-      if (!run_member(i, record)) return {};
-    record.series = observer_.take_series();
-    return {true, std::move(record)};
+    return record;
   }
 
- private:
-  bool run_member(std::int64_t i, UnitRecord& record) {
-    auto const start = rounded_to(cell_.arithmetic, member_start(study_, system_, unit_.first_member + i));
-    record.start.insert(record.start.end(), start.parameters.begin(), start.parameters.end());
-    record.start.insert(record.start.end(), start.state.begin(), start.state.end());
-    auto const trajectory = begin_trajectory(catalogue_, cell_, start, observer_.needs_attitude());
-    if (!observe_along(*trajectory, start, i)) return false;
-
+  void put_final_states(Trajectories const& trajectories, UnitRecord& record) const {
     std::vector<Widest> last(system_.state_components.size());
-    trajectory->state(last);
     auto const end = last.begin() + std::ssize(record.state_names);
-    std::transform(last.begin(), end, std::back_inserter(record.final_state),
-                   [](Widest const& v) { return static_cast<double>(v); });
-    return true;
+    for (std::size_t i = 0; i < trajectories.members(); ++i) {
+      trajectories.state(i, last);
+      std::transform(last.begin(), end, std::back_inserter(record.final_state),
+                     [](Widest const& v) { return static_cast<double>(v); });
+    }
   }
 
   /// The components of the state that are integrated in this unit.
@@ -122,27 +156,35 @@ class UnitWork {
   }
 
   /// false if stopped midway
-  bool observe_along(Trajectory& trajectory, Start const& start, std::int64_t i) {
-    std::unique_ptr<Comparison> comparison;
-    if (observer_.needs_reference() && i < compared_members(study_, unit_))
-      comparison = std::make_unique<Comparison>(study_, catalogue_, cell_, start, observer_.needs_attitude());
+  bool observe_along(Trajectories& trajectories, std::vector<Start> const& starts) {
+    auto const comparison = begin_comparison(starts);
     std::int64_t now = 0;
     for (std::size_t j = 0; j < samples_.size(); ++j) {
       std::int64_t const steps = samples_[j] - now;
       now = samples_[j];
-      if (!advance_watched(trajectory, steps, watch_)) return false;
-      if (comparison && !comparison->move_to(trajectory, now, steps, watch_)) return false;
-      auto const reference = comparison ? comparison->state() : std::span<Widest const>();
-      if (!observer_.observe(trajectory, reference, i, j)) break;  // the member has failed; the others go on
+      if (!watch_.advance(trajectories, steps)) return false;
+      if (comparison && !comparison->advance(steps, watch_)) return false;
+      observer_.observe(trajectories, j);
+      for (std::size_t i = 0; comparison && i < comparison->members(); ++i)
+        observer_.observe_state(trajectories, i, comparison->state(i), j);
     }
     return true;
+  }
+
+  /// Of the unit's first members; nothing where none is compared.
+  std::unique_ptr<Comparison> begin_comparison(std::vector<Start> starts) const {
+    starts.resize(static_cast<std::size_t>(compared_members(study_, unit_)));
+    if (starts.empty() || !observer_.needs_reference()) return nullptr;
+    return std::make_unique<Comparison>(catalogue_, cell_, reference_, starts, observer_.needs_attitude(), widest_);
   }
 
   Study const& study_;
   Catalogue const& catalogue_;
   SystemDescription const& system_;
-  CellLabels cell_;
+  CellLabels const& cell_;
+  std::string const& reference_;
   Unit unit_;
+  InstructionSet widest_;
   Watch watch_;
   std::vector<std::int64_t> samples_;
   Observer observer_;
@@ -151,8 +193,9 @@ class UnitWork {
 }  // namespace
 
 UnitOutcome compute_unit(Study const& study, Catalogue const& catalogue, Plan const& plan, Unit const& unit,
-                         std::string const& hash, Progress& progress, std::atomic<bool> const* stop) {
-  return UnitWork(study, catalogue, plan.cells[unit.cell], unit, {progress, stop}).run(hash);
+                         std::string const& hash, Progress& progress, std::atomic<bool> const* stop,
+                         InstructionSet widest) {
+  return UnitWork(study, catalogue, plan, unit, widest, {progress, stop}).run(hash);
 }
 
 }  // namespace brouwer

@@ -1,7 +1,7 @@
 #pragma once
 #include <brouwer/ensemble/arithmetics.hpp>
 #include <brouwer/ensemble/catalogue.hpp>
-#include <brouwer/ensemble/member.hpp>
+#include <brouwer/ensemble/trajectories_of.hpp>
 #include <brouwer/integrators/coefficients.hpp>
 #include <brouwer/special/elliptic_variants.hpp>
 #include <brouwer/systems/rigid_body_flow.hpp>
@@ -17,59 +17,12 @@ struct MethodText {
   bool uses_libm = false;  ///< calls sin, cos, atan …: bits depend on the machine's libm
 };
 
-namespace detail {
-
-template <Stepper S>
-MethodEntry described(MethodText const& text) {
-  MethodEntry entry;
-  entry.name = text.name;
-  entry.system = text.system;
-  entry.summary = text.summary;
-  entry.source = text.source;
-  entry.uses_libm = text.uses_libm;
-  entry.order = S::order;
-  entry.compensable = IncrementStepper<S>;
-  return entry;
-}
-
-}  // namespace detail
-
-/// The catalogue entry of a stepper that is a template over the scalar alone: method<Dmv2>({"dmv-2", …}).
-template <template <class> class S>
-MethodEntry method(MethodText const& text) {
-  MethodEntry entry = detail::described<S<double>>(text);
-  entry.begin = [](TrajectoryRequest const& request) {
-    std::unique_ptr<Trajectory> trajectory;
-    for_arithmetic(request.arithmetic, [&]<class T>(NamedArithmetic<T>) { trajectory = begin_member<S<T>>(request); });
-    return trajectory;
-  };
-  return entry;
-}
-
 /// Calls visit(name, Functions{}) for every variant of the elliptic functions.
 template <class Visit>
 void for_each_variant(Visit visit) {
   visit("own", OwnElliptic{});
   visit("gsl", GslElliptic{});
   visit("boost", BoostElliptic{});
-}
-
-/// The same for a stepper that is also a template over the elliptic functions that it calls.
-template <template <class, class> class S>
-MethodEntry method_with_functions(MethodText const& text) {
-  MethodEntry entry = detail::described<S<double, OwnElliptic>>(text);
-  entry.uses_special_functions = true;
-  entry.begin = [](TrajectoryRequest const& request) {
-    std::unique_ptr<Trajectory> trajectory;
-    for_arithmetic(request.arithmetic, [&]<class T>(NamedArithmetic<T>) {
-      for_each_variant([&]<class Functions>(std::string const& name, Functions) {
-        if constexpr (Functions::template exists_in<T>)
-          if (name == request.special_functions) trajectory = begin_member<S<T, Functions>>(request);
-      });
-    });
-    return trajectory;
-  };
-  return entry;
 }
 
 /// Calls visit(name, Coefficients{}) for both ways to take modified coefficients.
@@ -79,22 +32,122 @@ void for_each_coefficients(Visit visit) {
   visit("per-trajectory", PerTrajectory{});
 }
 
-/// The same for a stepper that is also a template over where it takes its modified coefficients from:
-/// template <class T, class Coefficients> class S.
+// --- families: the steppers of one method ----------------------------------------------------------------------------
+// Each calls use(std::type_identity<S>) with the stepper over the scalar T that a request asks for, if it exists, and
+// knows what its option does to the method's entry.
+
+/// A stepper that is a template over the scalar alone.
+template <template <class> class S>
+struct Plain {
+  using OfDouble = S<double>;
+  static void describe(MethodEntry&) {}
+
+  template <class T, class Use>
+  static void choose(TrajectoryRequest const&, Use use) {
+    use(std::type_identity<S<T>>{});
+  }
+};
+
+/// … that is also a template over the elliptic functions that it calls.
+template <template <class, class> class S>
+struct OverFunctions {
+  using OfDouble = S<double, OwnElliptic>;
+  static void describe(MethodEntry& entry) { entry.uses_special_functions = true; }
+
+  template <class T, class Use>
+  static void choose(TrajectoryRequest const& request, Use use) {
+    for_each_variant([&]<class Functions>(std::string const& name, Functions) {
+      if constexpr (Functions::template exists_in<T>)
+        if (name == request.special_functions) use(std::type_identity<S<T, Functions>>{});
+    });
+  }
+};
+
+/// … that is also a template over where it takes its modified coefficients from.
+template <template <class, class> class S>
+struct OverCoefficients {
+  using OfDouble = S<double, PerStep>;
+  static void describe(MethodEntry& entry) { entry.uses_coefficients = true; }
+
+  template <class T, class Use>
+  static void choose(TrajectoryRequest const& request, Use use) {
+    for_each_coefficients([&]<class Coefficients>(std::string const& name, Coefficients) {
+      if (name == request.coefficients) use(std::type_identity<S<T, Coefficients>>{});
+    });
+  }
+};
+
+// --- makers -----------------------------------------------------------------------------------------------------------
+
+/// Steppers say so themselves: `static constexpr bool runs_in_lanes = true;`.
+template <class S>
+concept RunsInLanes = requires {
+  requires S::runs_in_lanes;
+};
+
+template <class Family>
+std::unique_ptr<Trajectories> begin_numbers(TrajectoryRequest const& request) {
+  std::unique_ptr<Trajectories> made;
+  for_arithmetic(request.arithmetic, [&]<class T>(NamedArithmetic<T>) {
+    Family::template choose<T>(request, [&]<class S>(std::type_identity<S>) { made = begin_trajectories<S>(request); });
+  });
+  return made;
+}
+
+/// In packs of this translation unit's registers.
+template <class Family>
+std::unique_ptr<Trajectories> begin_packs(TrajectoryRequest const& request) {
+  std::unique_ptr<Trajectories> made;
+  for_arithmetic(request.arithmetic, [&]<class T>(NamedArithmetic<T>) {
+    using P = typename PackOf<T, native_bytes>::type;
+    if constexpr (lanes<P> > 1)
+      Family::template choose<P>(request,
+                                 [&]<class S>(std::type_identity<S>) { made = begin_trajectories<S>(request); });
+  });
+  return made;
+}
+
+/// Adds the packs of this translation unit to a method's entry.
+template <class Family>
+void add_packs(MethodEntry& entry) {
+  if constexpr (RunsInLanes<typename Family::OfDouble>)
+    entry.lanes.push_back({native_instruction_set, begin_packs<Family>});
+}
+
+// --- entries of the catalogue -----------------------------------------------------------------------------------------
+
+template <class Family>
+MethodEntry method_of(MethodText const& text) {
+  using S = typename Family::OfDouble;
+  MethodEntry entry;
+  entry.name = text.name;
+  entry.system = text.system;
+  entry.summary = text.summary;
+  entry.source = text.source;
+  entry.uses_libm = text.uses_libm;
+  entry.order = S::order;
+  entry.compensable = IncrementStepper<S>;
+  entry.runs_in_lanes = RunsInLanes<S>;
+  Family::describe(entry);
+  entry.begin = begin_numbers<Family>;
+  add_packs<Family>(entry);
+  return entry;
+}
+
+/// The entry of a stepper that is a template over the scalar alone: method<Dmv2>({"dmv-2", …}).
+template <template <class> class S>
+MethodEntry method(MethodText const& text) {
+  return method_of<Plain<S>>(text);
+}
+/// … over the scalar and the elliptic functions that it calls.
+template <template <class, class> class S>
+MethodEntry method_with_functions(MethodText const& text) {
+  return method_of<OverFunctions<S>>(text);
+}
+/// … over the scalar and where it takes its modified coefficients from.
 template <template <class, class> class S>
 MethodEntry method_with_coefficients(MethodText const& text) {
-  MethodEntry entry = detail::described<S<double, PerStep>>(text);
-  entry.uses_coefficients = true;
-  entry.begin = [](TrajectoryRequest const& request) {
-    std::unique_ptr<Trajectory> trajectory;
-    for_arithmetic(request.arithmetic, [&]<class T>(NamedArithmetic<T>) {
-      for_each_coefficients([&]<class Coefficients>(std::string const& name, Coefficients) {
-        if (name == request.coefficients) trajectory = begin_member<S<T, Coefficients>>(request);
-      });
-    });
-    return trajectory;
-  };
-  return entry;
+  return method_of<OverCoefficients<S>>(text);
 }
 
 }  // namespace brouwer

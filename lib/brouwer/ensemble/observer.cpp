@@ -21,7 +21,7 @@ Series empty_series(Quantity const& quantity, std::string const& component, std:
 
 Observer::Observer(SystemDescription const& system, std::vector<std::string> const& quantities, std::int64_t members,
                    std::int64_t compared, std::size_t samples)
-    : samples_(samples) {
+    : samples_(samples), failed_(static_cast<std::size_t>(members)) {
   for (bool const with_reference : {false, true}) {
     auto& places = with_reference ? states_ : integrals_;
     std::size_t place = 0;
@@ -38,29 +38,35 @@ Observer::Observer(SystemDescription const& system, std::vector<std::string> con
         ++place;
       }
     }
-    (with_reference ? state_errors_ : integral_errors_).resize(place);
+    if (with_reference)
+      state_errors_.resize(place);
+    else
+      integral_count_ = place;
   }
 }
 
-bool Observer::observe(Trajectory const& trajectory, std::span<Widest const> reference, std::int64_t member,
-                       std::size_t sample) {
-  trajectory.first_integral_errors(integral_errors_);
-  bool finite = store(integrals_, integral_errors_, 0, member, sample);
-  if (reference.empty() || states_.empty()) return finite;
-  trajectory.state_errors(reference, state_errors_);
-  return store(states_, state_errors_, integrals_.size(), member, sample) && finite;
+void Observer::observe(Trajectories const& trajectories, std::size_t sample) {
+  integral_errors_.resize(trajectories.members() * integral_count_);
+  trajectories.first_integral_errors(integral_errors_);
+  for (std::size_t member = 0; member < trajectories.members(); ++member)
+    store(integrals_, std::span(integral_errors_).subspan(member * integral_count_, integral_count_), 0, member, sample);
 }
 
-bool Observer::store(std::vector<std::size_t> const& places, std::vector<double> const& errors,
-                     std::size_t first_series, std::int64_t member, std::size_t sample) {
-  bool finite = true;
+void Observer::observe_state(Trajectories const& trajectories, std::size_t member, std::span<Widest const> reference,
+                             std::size_t sample) {
+  trajectories.state_errors(member, reference, state_errors_);
+  store(states_, state_errors_, integrals_.size(), member, sample);
+}
+
+void Observer::store(std::vector<std::size_t> const& places, std::span<double const> errors, std::size_t first_series,
+                     std::size_t member, std::size_t sample) {
+  if (failed_[member]) return;
   for (std::size_t i = 0; i < places.size(); ++i) {
     double const error = errors[places[i]];
-    finite = finite && std::isfinite(error);
-    series_[first_series + i].errors[static_cast<std::size_t>(member) * samples_ + sample] =
+    if (!std::isfinite(error)) failed_[member] = true;
+    series_[first_series + i].errors[member * samples_ + sample] =
         std::isfinite(error) ? error : std::numeric_limits<double>::quiet_NaN();
   }
-  return finite;
 }
 
 }  // namespace brouwer

@@ -18,23 +18,27 @@ class Observer {
   bool needs_attitude() const { return needs_attitude_; }
   bool needs_reference() const { return needs_reference_; }
 
-  /// Observes one member at one sample.
-  /// @param reference  the state to compare with; empty where this member has none
-  /// @return false if an error is not finite: the member has failed; its series stay NaN from here on
-  bool observe(Trajectory const& trajectory, std::span<Widest const> reference, std::int64_t member,
-               std::size_t sample);
+  /// Writes the errors of the first integrals of all members at one sample. A member one of whose errors is not finite
+  /// has failed: its series stay NaN from here on.
+  void observe(Trajectories const& trajectories, std::size_t sample);
+
+  /// The same for the state of one member against `reference`.
+  void observe_state(Trajectories const& trajectories, std::size_t member, std::span<Widest const> reference,
+                     std::size_t sample);
 
   std::vector<Series> take_series() { return std::move(series_); }
 
  private:
-  bool store(std::vector<std::size_t> const& places, std::vector<double> const& errors, std::size_t first_series,
-             std::int64_t member, std::size_t sample);
+  void store(std::vector<std::size_t> const& places, std::span<double const> errors, std::size_t first_series,
+             std::size_t member, std::size_t sample);
 
   std::size_t samples_;
   bool needs_attitude_ = false, needs_reference_ = false;
   std::vector<Series> series_;                   // first integrals, then state errors
   std::vector<std::size_t> integrals_, states_;  // which of the trajectory's errors each series is
-  std::vector<double> integral_errors_, state_errors_;
+  std::size_t integral_count_ = 0;
+  std::vector<double> integral_errors_, state_errors_;  // of all members; of one
+  std::vector<bool> failed_;
 };
 
 }  // namespace brouwer

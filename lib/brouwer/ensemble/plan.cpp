@@ -58,9 +58,10 @@ std::string reason_to_skip(CellLabels const& cell, Catalogue const& catalogue) {
   return "";
 }
 
-/// Members of a unit: small ensembles in small units, so that threads share them; never more than 256 units a cell.
+/// Members of a unit: full blocks of packs (64 members where the packs hold 8 doubles), but small ensembles in small
+/// units, so that threads share them; never more than 256 units a cell.
 std::int64_t unit_size(std::int64_t members) {
-  std::int64_t const base = members < 512 ? 16 : 64, most_units = 256;
+  std::int64_t const base = members < 64 ? 16 : members < 128 ? 32 : 64, most_units = 256;
   std::int64_t const needed = (members + most_units - 1) / most_units;
   return std::max(base, (needed + base - 1) / base * base);
 }
@@ -98,6 +99,18 @@ void check_reference(Study const& study, Catalogue const& catalogue, CellLabels 
                                  own.name, own.bits));
 }
 
+std::string reference_of(Study const& study) {
+  switch (study.reference.kind) {
+    case Reference::Kind::none:
+      return "none";
+    case Reference::Kind::exact:
+      return "exact";
+    case Reference::Kind::same_method:
+      return study.reference.arithmetic;
+  }
+  return "";
+}
+
 }  // namespace
 
 Plan make_plan(Study const& study, Catalogue const& catalogue) {
@@ -116,6 +129,7 @@ Plan make_plan(Study const& study, Catalogue const& catalogue) {
   }
   if (plan.cells.empty()) throw InputError("nothing is left to run: " + plan.skipped.front().reason);
 
+  plan.references.assign(plan.cells.size(), reference_of(study));
   std::int64_t const size = unit_size(study.members);
   for (std::size_t c = 0; c < plan.cells.size(); ++c)
     for (std::int64_t first = 0; first < study.members; first += size)

@@ -28,6 +28,9 @@ struct Plan {
   std::vector<CellLabels> cells;
   std::vector<Unit> units;
   std::vector<Skipped> skipped;
+  /// With what each cell's states are compared: "none", "exact", or the arithmetic in which the same method runs, which
+  /// check_references may have replaced by a wider one.
+  std::vector<std::string> references;
 };
 
 /// Crosses the factors of a study, merges cells that a factor does not touch, cuts them into units.

@@ -6,6 +6,7 @@
 #include <exception>
 #include <mutex>
 
+#include <brouwer/ensemble/reference.hpp>
 #include <brouwer/error.hpp>
 #include <brouwer/store/file.hpp>
 #include <brouwer/store/folder.hpp>
@@ -27,10 +28,7 @@ bool finished(std::filesystem::path const& file, std::string const& hash, Unit c
 
 /// Member-steps of a unit, with those of its reference.
 std::int64_t work_of(Study const& study, Catalogue const& catalogue, Plan const& plan, Unit const& unit) {
-  bool const compares = std::any_of(study.quantities.begin(), study.quantities.end(), [&](auto const& name) {
-    return catalogue.quantity(study.system, name).needs_reference;
-  });
-  bool const companion = compares && study.reference.kind == Reference::Kind::same_method;
+  bool const companion = study.reference.kind == Reference::Kind::same_method && needs_reference(study, catalogue);
   return plan.cells[unit.cell].steps * (unit.members + (companion ? compared_members(study, unit) : 0));
 }
 
@@ -57,9 +55,10 @@ class FirstFailure {
 
 int threads_of(RunOptions const& options) { return options.threads > 0 ? options.threads : omp_get_max_threads(); }
 
-bool run(Study const& study, std::string const& study_text, Catalogue const& catalogue, Plan const& plan,
+bool run(Study const& study, std::string const& study_text, Catalogue const& catalogue, Plan const& planned,
          std::filesystem::path const& folder, RunOptions const& options, Progress& progress) {
   int const threads = threads_of(options);
+  Plan plan = planned;
   std::string const hash = study_hash(study);
   create_result_folder(folder, hash, canonical_text(study), study_text, provenance(threads), plan.cells);
 
@@ -71,6 +70,8 @@ bool run(Study const& study, std::string const& study_text, Catalogue const& cat
   progress.steps_total = 0;
   for (auto const& unit : missing) progress.steps_total += work_of(study, catalogue, plan, unit);
 
+  if (!missing.empty()) progress.notices = check_references(study, catalogue, plan);
+
   FirstFailure failure;
   std::atomic<bool> const* stop = options.stop;
   auto const leave = [&] { return failure.seen() || (stop != nullptr && *stop); };
@@ -80,7 +81,7 @@ bool run(Study const& study, std::string const& study_text, Catalogue const& cat
     if (leave()) continue;
     try {
       auto const& unit = missing[static_cast<std::size_t>(i)];
-      auto const outcome = compute_unit(study, catalogue, plan, unit, hash, progress, stop);
+      auto const outcome = compute_unit(study, catalogue, plan, unit, hash, progress, stop, options.widest);
       if (!outcome.finished) continue;
       write_unit(folder / unit.file, outcome.record);
       progress.units_done.fetch_add(1);

@@ -12,6 +12,7 @@ namespace brouwer {
 struct Progress {
   std::int64_t units_total = 0, units_before = 0;  ///< before: finished by an earlier run
   std::int64_t steps_total = 0;                    ///< member-steps still to do when the run began
+  std::vector<std::string> notices;                ///< sentences that people should see; complete before the first unit
   std::atomic<std::int64_t> units_done = 0;
   std::atomic<std::int64_t> steps_done = 0;
 };
@@ -19,6 +20,7 @@ struct Progress {
 struct RunOptions {
   int threads = 0;                          ///< 0: all that this process may use
   std::atomic<bool> const* stop = nullptr;  ///< set by a signal handler: workers leave, finished units stay
+  InstructionSet widest = widest_instruction_set();  ///< of packs; no influence on the numbers
 };
 
 /// How many threads a run with these options uses.
@@ -31,7 +33,8 @@ struct UnitOutcome {
   UnitRecord record;
 };
 UnitOutcome compute_unit(Study const& study, Catalogue const& catalogue, Plan const& plan, Unit const& unit,
-                         std::string const& hash, Progress& progress, std::atomic<bool> const* stop);
+                         std::string const& hash, Progress& progress, std::atomic<bool> const* stop,
+                         InstructionSet widest = widest_instruction_set());
 
 /// Makes the folder (study.toml, plan.txt, provenance.txt, units/) or takes up an existing one, and computes the
 /// units that are missing, over threads. Throws InputError if the folder holds another study's results (what

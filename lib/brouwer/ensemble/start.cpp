@@ -80,6 +80,13 @@ Start start_of(SystemDescription const& system, FieldValues const& values) {
   return start;
 }
 
+LaneMaker const* widest_packs(MethodEntry const& method, InstructionSet widest) {
+  LaneMaker const* best = nullptr;
+  for (auto const& packs : method.lanes)
+    if (packs.set <= widest && (best == nullptr || packs.set > best->set)) best = &packs;
+  return best;
+}
+
 }  // namespace
 
 Start nominal_start(Study const& study, SystemDescription const& system) { return start_of(system, study.values); }
@@ -108,15 +115,24 @@ Start rounded_to(std::string const& arithmetic, Start start) {
   return start;
 }
 
-std::unique_ptr<Trajectory> begin_trajectory(Catalogue const& catalogue, CellLabels const& cell, Start const& start,
-                                             bool attitude) {
-  auto trajectory = catalogue.method(cell.system, cell.method)
-                        .begin({cell.arithmetic, cell.special_functions, cell.coefficients, cell.compensation, attitude,
-                                cell.step, start.parameters, start.state});
-  if (!trajectory)
+std::unique_ptr<Trajectories> begin_trajectories(Catalogue const& catalogue, CellLabels const& cell,
+                                                 std::vector<Start> const& starts, bool attitude,
+                                                 InstructionSet widest) {
+  TrajectoryRequest const request{cell.arithmetic, cell.special_functions, cell.coefficients, cell.compensation,
+                                  attitude,        cell.step,              starts};
+  auto const& method = catalogue.method(cell.system, cell.method);
+  std::unique_ptr<Trajectories> made;
+  if (LaneMaker const* packs = starts.size() > 1 ? widest_packs(method, widest) : nullptr) made = packs->begin(request);
+  if (!made) made = method.begin(request);
+  if (!made)
     throw InputError(fmt::format("{} does not exist in {} with special functions '{}' and coefficients '{}'",
                                  cell.method, cell.arithmetic, cell.special_functions, cell.coefficients));
-  return trajectory;
+  return made;
+}
+
+std::unique_ptr<Trajectories> begin_trajectory(Catalogue const& catalogue, CellLabels const& cell, Start const& start,
+                                               bool attitude) {
+  return begin_trajectories(catalogue, cell, {start}, attitude, InstructionSet::none);
 }
 
 }  // namespace brouwer

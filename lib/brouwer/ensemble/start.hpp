@@ -9,11 +9,6 @@
 
 namespace brouwer {
 
-/// What one member starts from: the system's parameter fields and its other fields, one after the other.
-struct Start {
-  std::vector<double> parameters, state;
-};
-
 /// The study's values as they stand, without perturbation.
 Start nominal_start(Study const& study, SystemDescription const& system);
 
@@ -27,9 +22,15 @@ Start member_start(Study const& study, SystemDescription const& system, std::int
 double rounded_to(std::string const& arithmetic, double value);
 Start rounded_to(std::string const& arithmetic, Start start);
 
-/// The trajectory of a cell's method and arithmetic from `start`.
+/// Trajectories of a cell's method and arithmetic from `starts`: in the widest packs up to `widest` that the method has
+/// in this arithmetic, one by one where there are none or there is one member. The bits do not depend on it.
 /// @param attitude  false: nothing observed needs the attitude; it stays at its start
-std::unique_ptr<Trajectory> begin_trajectory(Catalogue const& catalogue, CellLabels const& cell, Start const& start,
-                                             bool attitude);
+std::unique_ptr<Trajectories> begin_trajectories(Catalogue const& catalogue, CellLabels const& cell,
+                                                 std::vector<Start> const& starts, bool attitude,
+                                                 InstructionSet widest);
+
+/// The same for one member.
+std::unique_ptr<Trajectories> begin_trajectory(Catalogue const& catalogue, CellLabels const& cell, Start const& start,
+                                               bool attitude);
 
 }  // namespace brouwer

@@ -225,9 +225,9 @@ inline __m256 vector_larger(__m256 a, __m256 b) { return _mm256_max_ps(a, b); }
 #if defined(__AVX512F__)
 // with a mask of ones: the plain intrinsics of g++ 12 warn of their own uninitialised variable (GCC bug 105593)
 inline __m512d vector_sqrt(__m512d a) { return _mm512_maskz_sqrt_pd(0xff, a); }
-inline __m512d vector_larger(__m512d a, __m512d b) { return _mm512_max_pd(a, b); }
+inline __m512d vector_larger(__m512d a, __m512d b) { return _mm512_maskz_max_pd(0xff, a, b); }
 inline __m512 vector_sqrt(__m512 a) { return _mm512_maskz_sqrt_ps(0xffff, a); }
-inline __m512 vector_larger(__m512 a, __m512 b) { return _mm512_max_ps(a, b); }
+inline __m512 vector_larger(__m512 a, __m512 b) { return _mm512_maskz_max_ps(0xffff, a, b); }
 #endif
 #if defined(__FMA__)
 inline __m128d vector_fused_add(__m128d a, __m128d b, __m128d c) { return _mm_fmadd_pd(a, b, c); }

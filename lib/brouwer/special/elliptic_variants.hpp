@@ -8,6 +8,7 @@
 #include <cmath>
 #include <concepts>
 
+#include <brouwer/scalar/double_double.hpp>
 #include <brouwer/special/elliptic.hpp>
 
 namespace brouwer {
@@ -62,11 +63,11 @@ struct GslElliptic {
   static void keep_calm() { [[maybe_unused]] static auto const former = gsl_set_error_handler_off(); }
 };
 
-/// Boost.Math's; every scalar but packs and Float128 (whose numeric_limits in Boost 1.81, which Boost.Math asks, do not
+/// Boost.Math's; every scalar but packs, double-double and Float128 (whose numeric_limits in Boost 1.81, which Boost.Math asks, do not
 /// compile in strict C++).
 struct BoostElliptic {
   template <class T>
-  static constexpr bool exists_in = std::numeric_limits<T>::is_specialized && !std::same_as<T, Float128>;
+  static constexpr bool exists_in = detail::Floating<T> && !std::same_as<T, Float128>;
 
   using Policy =
       boost::math::policies::policy<boost::math::policies::domain_error<boost::math::policies::ignore_error>,

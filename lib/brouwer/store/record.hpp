@@ -37,6 +37,7 @@ struct Series {
 struct UnitRecord {
   std::string study_hash;
   CellLabels cell;
+  std::string reference;  ///< with what states were compared: none, exact, or an arithmetic in which the method ran
   std::int64_t first_member = 0;
   std::int64_t members = 0;
   std::vector<std::int64_t> sample_steps;  ///< increasing step numbers, the last is cell.steps

@@ -101,6 +101,7 @@ class UnitFile {
     set(file_, "compensation", std::int64_t{cell.compensation});
     set(file_, "step_size", cell.step);
     set(file_, "steps", cell.steps);
+    set(file_, "reference", record_.reference);
     set(file_, "first_member", record_.first_member);
   }
 

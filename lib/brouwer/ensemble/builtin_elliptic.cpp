@@ -1,0 +1,12 @@
+#include <brouwer/ensemble/builtin.hpp>
+#include <brouwer/ensemble/rigid_body_methods.hpp>
+
+namespace brouwer {
+
+void add_elliptic_methods(Catalogue& catalogue) {
+  for_each_elliptic_method([&]<class Family>(Family, MethodText const& text) {
+    catalogue.methods.push_back(method_of<Family>(text));
+  });
+}
+
+}  // namespace brouwer

@@ -1,0 +1,201 @@
+#pragma once
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+#include <brouwer/ensemble/trajectories.hpp>
+#include <brouwer/integrators/stepper.hpp>
+#include <brouwer/scalar/observing.hpp>
+#include <brouwer/systems/exact_flow.hpp>
+
+namespace brouwer {
+
+/// Trajectories with their types: the stepper S over the scalar T, and Y, its state or its compensated state. Where T is
+/// a pack, member i is lane i mod N of pack i div N; the lanes of the last pack that have no member repeat the last one.
+template <Stepper S, class Y>
+class TrajectoriesOf final : public Trajectories {
+ public:
+  using T = typename S::Scalar;
+  using System = typename S::System;
+  using E = Element<T>;  ///< one member's arithmetic, and W what judges it
+  using W = Wider<E>;
+  using O = Observing<T>;  ///< what observes a pack
+  using WideSystem = typename System::template In<W>;
+  using WideState = typename WideSystem::State;
+  using ObservingSystem = typename System::template In<O>;
+  using ObservedState = typename ObservingSystem::State;
+
+  explicit TrajectoriesOf(TrajectoryRequest const& request) : step_(static_cast<E>(request.step)), starts_(request.starts) {
+    std::size_t const packs = (starts_.size() + lane_count - 1) / lane_count;
+    steppers_.reserve(packs);
+    now_.reserve(packs);
+    origins_.reserve(packs);
+    for (std::size_t p = 0; p < packs; ++p) {
+      Setup<System> const setup{System(std::span<T const>(gathered(p, &Start::parameters))), T(step_),
+                                System::State::from_components(gathered(p, &Start::state)), request.attitude};
+      steppers_.emplace_back(setup);
+      now_.emplace_back(setup.start);
+      origins_.emplace_back(setup.system.template in<O>(), observed(now_.back()));
+    }
+    flows_.resize(starts_.size());
+  }
+
+  std::size_t members() const override { return starts_.size(); }
+
+  /// Numbers advance member by member, packs in blocks that stay in the first-level cache.
+  void advance(std::int64_t steps) override {
+    if constexpr (lane_count == 1) {
+      for (std::size_t i = 0; i < now_.size(); ++i) brouwer::advance(steppers_[i], now_[i], steps);
+    } else {
+      std::span<S const> const steppers(steppers_);
+      std::span<Y> const states(now_);
+      for (std::size_t p = 0; p < states.size(); p += packs_a_block) {
+        std::size_t const packs = std::min(packs_a_block, states.size() - p);
+        advance_block(steppers.subspan(p, packs), states.subspan(p, packs), steps);
+      }
+    }
+  }
+
+  void state(std::size_t member, std::span<Widest> components) const override {
+    auto next = components.begin();
+    visit_member<Widest>(member, [&next](Widest const& v) { *next++ = v; });
+  }
+
+  void first_integrals(std::size_t member, std::span<Widest> values) const override {
+    require_room(values.size(), System::first_integral_count);
+    auto const integrals = wide_system(member).first_integrals(wide_state(member));
+    std::transform(integrals.begin(), integrals.end(), values.begin(), [](W const& v) { return Widest(v); });
+  }
+
+  void first_integral_errors(std::span<double> errors) const override {
+    constexpr std::size_t count = System::first_integral_count;
+    require_room(errors.size(), count * starts_.size());
+    for (std::size_t p = 0; p < now_.size(); ++p) {
+      auto const integrals = origins_[p].system.first_integrals(observed(now_[p]));
+      for (std::size_t k = 0; k < count; ++k) {
+        O const error = (integrals[k] - origins_[p].integrals[k]) / origins_[p].scales[k];
+        for (std::size_t i = p * lane_count; i < std::min((p + 1) * lane_count, starts_.size()); ++i)
+          errors[i * count + k] = static_cast<double>(lane(error, lane_of(i)));
+      }
+    }
+  }
+
+  void state_errors(std::size_t member, std::span<Widest const> reference, std::span<double> errors) const override {
+    require_room(errors.size(), System::state_error_count);
+    auto const e = wide_system(member).state_errors(wide_state(member), read(reference));
+    std::transform(e.begin(), e.end(), errors.begin(), [](W const& v) { return static_cast<double>(v); });
+  }
+
+  void exact_state(std::size_t member, std::int64_t steps, std::span<Widest> components) const override {
+    if constexpr (lane_count == 1 && HasExactFlow<WideSystem>) {
+      auto& flow = flows_[member].flow;
+      if (!flow)
+        flow = std::make_shared<typename ExactFlow<WideSystem>::type>(wide_system(member), wide_start(member));
+      auto const exact = (*flow)(W(W(steps) * W(step_)));
+      auto next = components.begin();
+      for_components([&next](W const& v) { *next++ = Widest(v); }, exact);
+    } else {
+      (void)member, (void)steps, (void)components;
+      throw std::logic_error("these trajectories have no exact flow");
+    }
+  }
+
+ private:
+  static constexpr std::size_t lane_count = lanes<T>;
+  /// Enough for instructions of one pack to fill the latencies of another, and for all to stay in 48 KB: measured in
+  /// docs/performance.md.
+  static constexpr std::size_t packs_a_block = 8;
+  static constexpr bool compensated = !std::same_as<Y, typename S::State>;
+
+  static int lane_of(std::size_t member) { return static_cast<int>(member % lane_count); }
+
+  /// What a pack's errors are relative to.
+  struct Origin {
+    ObservingSystem system;
+    std::array<O, System::first_integral_count> integrals, scales;
+    Origin(ObservingSystem const& s, ObservedState const& start)
+        : system(s), integrals(s.first_integrals(start)), scales(s.first_integral_scales(start)) {}
+  };
+
+  /// The numbers of a part of the starts, one scalar a number: doubles are rounded to the arithmetic here, and nowhere
+  /// else.
+  std::vector<T> gathered(std::size_t pack, std::vector<double> Start::*part) const {
+    std::vector<T> numbers((starts_.front().*part).size());
+    for (std::size_t n = 0; n < numbers.size(); ++n)
+      numbers[n] = from_lanes<T>([&](int l) {
+        std::size_t const member = std::min(pack * lane_count + static_cast<std::size_t>(l), starts_.size() - 1);
+        return static_cast<E>((starts_[member].*part)[n]);
+      });
+    return numbers;
+  }
+
+  /// The states that are meant: with the residue, where one is carried.
+  static ObservedState observed(Y const& y) {
+    ObservedState wide{};
+    if constexpr (compensated)
+      for_components([](O& w, T const& v, T const& r) { w = O(v) + O(r); }, wide, y.value, y.residue);
+    else
+      for_components([](O& w, T const& v) { w = O(v); }, wide, y);
+    return wide;
+  }
+
+  /// Calls f with each component of one member's state, in the arithmetic V.
+  template <class V, class F>
+  void visit_member(std::size_t member, F f) const {
+    auto const& y = now_[member / lane_count];
+    int const l = lane_of(member);
+    if constexpr (compensated)
+      for_components([&](T const& v, T const& r) { f(V(V(lane(v, l)) + V(lane(r, l)))); }, y.value, y.residue);
+    else
+      for_components([&](T const& v) { f(V(lane(v, l))); }, y);
+  }
+
+  WideState wide_state(std::size_t member) const {
+    std::vector<W> components;
+    visit_member<W>(member, [&](W const& v) { components.push_back(v); });
+    return WideState::from_components(components);
+  }
+  WideState wide_start(std::size_t member) const {
+    std::vector<W> components;
+    for (double number : starts_[member].state) components.emplace_back(static_cast<E>(number));
+    return WideState::from_components(components);
+  }
+  WideSystem wide_system(std::size_t member) const {
+    std::vector<E> const parameters(starts_[member].parameters.begin(), starts_[member].parameters.end());
+    using OneSystem = typename System::template In<E>;
+    return OneSystem(std::span<E const>(parameters)).template in<W>();
+  }
+
+  /// A system's description and its class must speak of the same quantities: a user's own may not.
+  static void require_room(std::size_t room, std::size_t needed) {
+    if (room != needed)
+      throw std::logic_error("the system gives " + std::to_string(needed) + " numbers where its description has " +
+                             std::to_string(room));
+  }
+
+  static WideState read(std::span<Widest const> components) {
+    std::vector<W> numbers;
+    for (auto const& component : components) numbers.push_back(static_cast<W>(component));
+    return WideState::from_components(numbers);
+  }
+
+  E step_;
+  std::vector<Start> starts_;
+  std::vector<S> steppers_;
+  std::vector<Y> now_;
+  std::vector<Origin> origins_;
+  // built when first asked for: most members have no reference
+  mutable std::vector<FlowHolder<WideSystem>> flows_;
+};
+
+/// Trajectories of stepper S, plain or compensated.
+template <Stepper S>
+std::unique_ptr<Trajectories> begin_trajectories(TrajectoryRequest const& request) {
+  if constexpr (IncrementStepper<S>)
+    if (request.compensation) return std::make_unique<TrajectoriesOf<S, Compensated<typename S::State>>>(request);
+  return std::make_unique<TrajectoriesOf<S, typename S::State>>(request);
+}
+
+}  // namespace brouwer
