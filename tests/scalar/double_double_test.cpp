@@ -342,7 +342,8 @@ TEST(DoubleDoubleLimits, AreThoseOfTwiceTheBits) {
 
 template <class P>
 struct DoubleDoubleLanes : testing::Test {};
-using Packs = testing::Types<Pack<double, 2>, Pack<double, 4>, Pack<double, 8>, Pack<double, 3>, Pack<float, 8>>;
+using Packs = testing::Types<Pack<double, 2>, Pack<double, 4>, Pack<double, 8>, Pack<double, 16>, Pack<double, 3>,
+                             Pack<float, 8>>;
 TYPED_TEST_SUITE(DoubleDoubleLanes, Packs);
 
 TYPED_TEST(DoubleDoubleLanes, AreBitForBitTheScalars) {
