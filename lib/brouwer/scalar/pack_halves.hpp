@@ -11,6 +11,12 @@ struct PackMask<T, N> {
 
   PackMask() = default;
   PackMask(Half const& a, Half const& b) : first(a), second(b) {}
+  PackMask(PackMask const& other) : first(other.first), second(other.second) {}  // NOLINT: as for Pack
+  PackMask& operator=(PackMask const& other) {                                   // NOLINT
+    first = other.first;
+    second = other.second;
+    return *this;
+  }
   /// The same flag in every lane.
   PackMask(bool flag) : first(flag), second(flag) {}  // NOLINT
 
@@ -32,6 +38,13 @@ class Pack<T, N> {
 
   Pack() = default;
   Pack(Half const& a, Half const& b) : first_(a), second_(b) {}
+  // Written out: g++ 12 copies a trivial class of this size through memory in pieces of 16 bytes.
+  Pack(Pack const& other) : first_(other.first_), second_(other.second_) {}  // NOLINT
+  Pack& operator=(Pack const& other) {                                       // NOLINT
+    first_ = other.first_;
+    second_ = other.second_;
+    return *this;
+  }
   /// The same number in every lane.
   Pack(T const& a) : first_(a), second_(a) {}  // NOLINT
   template <std::integral I>
