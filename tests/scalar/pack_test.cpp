@@ -85,7 +85,7 @@ struct PackLanes : testing::Test {
 };
 
 using Packs = testing::Types<Pack<double, 2>, Pack<double, 4>, Pack<double, 8>, Pack<float, 4>, Pack<float, 8>,
-                             Pack<float, 16>, Pack<Float128, 4>, Pack<double, 3>>;
+                             Pack<float, 16>, Pack<double, 16>, Pack<float, 32>, Pack<Float128, 4>, Pack<double, 3>>;
 TYPED_TEST_SUITE(PackLanes, Packs);
 
 TYPED_TEST(PackLanes, Calculate) {

@@ -86,6 +86,9 @@ class DoubleDouble {
     else
       return W(W(high_) + W(low_));
   }
+  /// Towards zero.
+  template <std::integral I>
+  requires(lanes<T> == 1) explicit operator I() const { return static_cast<I>(static_cast<Float128>(*this)); }
   template <class W, int N>
   requires(lanes<T> == N && detail::Floating<W>) explicit operator Pack<W, N>() const {
     if constexpr (std::same_as<Pack<W, N>, T>) {
@@ -97,22 +100,24 @@ class DoubleDouble {
     }
   }
 
-  friend DoubleDouble operator-(DoubleDouble const& a) { return DoubleDouble(Exact<T>{-a.high_, -a.low_}); }
+  [[gnu::always_inline]] friend DoubleDouble operator-(DoubleDouble const& a) {
+    return DoubleDouble(Exact<T>{-a.high_, -a.low_});
+  }
 
   /// 20 operations. JMP algorithm 6 (AccurateDWPlusDW), theorem 3.1; MR: error < 3u² + 13u³, nearly attained.
-  friend DoubleDouble operator+(DoubleDouble const& a, DoubleDouble const& b) {
+  [[gnu::always_inline]] friend DoubleDouble operator+(DoubleDouble const& a, DoubleDouble const& b) {
     return sum(two_sum(a.high_, b.high_), two_sum(a.low_, b.low_));
   }
   /// a + (−b), bit for bit.
-  friend DoubleDouble operator-(DoubleDouble const& a, DoubleDouble const& b) {
+  [[gnu::always_inline]] friend DoubleDouble operator-(DoubleDouble const& a, DoubleDouble const& b) {
     return sum(two_difference(a.high_, b.high_), two_difference(a.low_, b.low_));
   }
 
-  /// 9 operations, three of them fused. JMP algorithm 12 (DWTimesDW3); error < 4u², MR theorem 2.8.
-  friend DoubleDouble operator*(DoubleDouble const& a, DoubleDouble const& b) {
+  /// 8 operations, two of them fused. JMP algorithm 11 (DWTimesDW2); error < 5u², MR theorem 2.7. (Algorithm 12, with
+  /// a_l b_l and 4u², has one operation more and a longer chain: a tenth slower in a discrete Moser–Veselov step.)
+  [[gnu::always_inline]] friend DoubleDouble operator*(DoubleDouble const& a, DoubleDouble const& b) {
     auto const main = two_prod(a.high_, b.high_);
-    T const lows = a.low_ * b.low_;
-    T const cross = fused_add(a.low_, b.high_, fused_add(a.high_, b.low_, lows));
+    T const cross = fused_add(a.low_, b.high_, T(a.high_ * b.low_));
     return DoubleDouble(fast_two_sum(main.value, T(main.error + cross)));
   }
 
@@ -120,7 +125,7 @@ class DoubleDouble {
   /// roundings that fused operations save: with q = RN(a_h/b_h), a_h − q b_h is a T, and a_l − q b_l is rounded once.
   /// Error < 11u² + O(u³): relative to |a/b|, |a_h − q b_h| ≤ u and |a_l − q b_l| ≤ 2u + u², rounded with 2u²; their sum,
   /// at most 3u + …, rounded with 3u²; divided by b_h for b, 3u², and rounded, 3u².
-  friend DoubleDouble operator/(DoubleDouble const& a, DoubleDouble const& b) {
+  [[gnu::always_inline]] friend DoubleDouble operator/(DoubleDouble const& a, DoubleDouble const& b) {
     T const quotient = a.high_ / b.high_;
     T const excess = fused_subtract(quotient, b.high_, a.high_) + fused_subtract(quotient, b.low_, a.low_);
     return DoubleDouble(fast_two_sum(quotient, T(-(excess / b.high_))));
@@ -128,37 +133,37 @@ class DoubleDouble {
 
   /// 10 operations; the bits of a + DoubleDouble(b). JMP algorithm 4 (DWPlusFP), theorem 2.2: error < 2u².
   template <detail::Plain<T> P>
-  friend DoubleDouble operator+(DoubleDouble const& a, P const& b) {
+  [[gnu::always_inline]] friend DoubleDouble operator+(DoubleDouble const& a, P const& b) {
     return sum(two_sum(a.high_, T(b)), a.low_);
   }
   template <detail::Plain<T> P>
-  friend DoubleDouble operator+(P const& a, DoubleDouble const& b) {
+  [[gnu::always_inline]] friend DoubleDouble operator+(P const& a, DoubleDouble const& b) {
     return sum(two_sum(T(a), b.high_), b.low_);
   }
   template <detail::Plain<T> P>
-  friend DoubleDouble operator-(DoubleDouble const& a, P const& b) {
+  [[gnu::always_inline]] friend DoubleDouble operator-(DoubleDouble const& a, P const& b) {
     return sum(two_difference(a.high_, T(b)), a.low_);
   }
   template <detail::Plain<T> P>
-  friend DoubleDouble operator-(P const& a, DoubleDouble const& b) {
+  [[gnu::always_inline]] friend DoubleDouble operator-(P const& a, DoubleDouble const& b) {
     return sum(two_difference(T(a), b.high_), T(-b.low_));
   }
 
   /// 6 operations. JMP algorithm 9 (DWTimesFP3), theorem 4.3: error < 2u². Exact for powers of two.
   template <detail::Plain<T> P>
-  friend DoubleDouble operator*(DoubleDouble const& a, P const& b) {
+  [[gnu::always_inline]] friend DoubleDouble operator*(DoubleDouble const& a, P const& b) {
     T const factor(b);
     auto const main = two_prod(a.high_, factor);
     return DoubleDouble(fast_two_sum(main.value, fused_add(a.low_, factor, main.error)));
   }
   template <detail::Plain<T> P>
-  friend DoubleDouble operator*(P const& a, DoubleDouble const& b) {
+  [[gnu::always_inline]] friend DoubleDouble operator*(P const& a, DoubleDouble const& b) {
     return b * a;
   }
 
   /// 7 operations; the bits of a / DoubleDouble(b). JMP algorithm 15 (DWDivFP3), theorem 6.2: error < 3u².
   template <detail::Plain<T> P>
-  friend DoubleDouble operator/(DoubleDouble const& a, P const& b) {
+  [[gnu::always_inline]] friend DoubleDouble operator/(DoubleDouble const& a, P const& b) {
     T const divisor(b), quotient = a.high_ / divisor;
     T const excess = fused_subtract(quotient, divisor, a.high_) - a.low_;
     return DoubleDouble(fast_two_sum(quotient, T(-(excess / divisor))));
@@ -201,11 +206,11 @@ class DoubleDouble {
 
  private:
   /// The exact sums of the high and of the low parts, put together.
-  static DoubleDouble sum(Exact<T> const& high, Exact<T> const& low) {
+  [[gnu::always_inline]] static DoubleDouble sum(Exact<T> const& high, Exact<T> const& low) {
     auto const main = fast_two_sum(high.value, T(high.error + low.value));
     return DoubleDouble(fast_two_sum(main.value, T(low.error + main.error)));
   }
-  static DoubleDouble sum(Exact<T> const& high, T const& low) {
+  [[gnu::always_inline]] static DoubleDouble sum(Exact<T> const& high, T const& low) {
     return DoubleDouble(fast_two_sum(high.value, T(low + high.error)));
   }
 
@@ -243,7 +248,7 @@ requires(!std::same_as<Mask<T>, bool>) DoubleDouble<T> select(Mask<T> const& mas
 }
 
 template <class T>
-DoubleDouble<T> abs(DoubleDouble<T> const& a) {
+[[gnu::always_inline]] inline DoubleDouble<T> abs(DoubleDouble<T> const& a) {
   using math::abs;
   return DoubleDouble<T>(Exact<T>{abs(a.high()), select(a.high() < T(0), T(-a.low()), a.low())});
 }
@@ -259,7 +264,7 @@ DoubleDouble<T> copysign(DoubleDouble<T> const& a, DoubleDouble<T> const& b) {
 /// 7 operations. With a_h in [1, 2) the neglected a_l² is at most u², and the rounding of (a_h² − RN(a_h²)) + 2a_h a_l,
 /// below 4u where a_h² < 2 and below 6u elsewhere, at most 2u² or 4u²: error < 3u² + O(u³).
 template <class T>
-DoubleDouble<T> squared(DoubleDouble<T> const& a) {
+[[gnu::always_inline]] inline DoubleDouble<T> squared(DoubleDouble<T> const& a) {
   auto const main = two_prod(a.high(), a.high());
   return DoubleDouble<T>(fast_two_sum(main.value, fused_add(T(a.low() + a.low()), a.high(), main.error)));
 }
@@ -267,7 +272,7 @@ DoubleDouble<T> squared(DoubleDouble<T> const& a) {
 /// 8 operations, of them a root and a division. V. Lefèvre, N. Louvet, J.-M. Muller, J. Picot, L. Rideau, ACM Trans. Math.
 /// Softw. 49 (2023) 1, algorithm 8 (SQRTDWtoDW): error < 25/8 u². √0 = 0; NaN below.
 template <class T>
-DoubleDouble<T> sqrt(DoubleDouble<T> const& a) {
+[[gnu::always_inline]] inline DoubleDouble<T> sqrt(DoubleDouble<T> const& a) {
   using math::sqrt;
   T const root = sqrt(a.high());
   T const rest = a.low() - fused_subtract(root, root, a.high());
@@ -346,8 +351,8 @@ struct WiderThan<DoubleDouble<Pack<T, N>>> {
 
 }  // namespace brouwer
 
-/// Two parts hold every number of 2p bits: ε is 2^(1−2p), in units of which +, ×, ÷ and √ err by less than 1.5, 2, 5.5 and
-/// 1.6. (Some hold more: 1 + 2⁻¹⁰⁰⁰ is one.)
+/// Two parts hold every number of 2p bits: ε is 2^(1−2p), in units of which +, ×, ÷ and √ err by at most 1.5, 2.5, 5.5
+/// and 1.6. (Some hold more: 1 + 2⁻¹⁰⁰⁰ is one.)
 template <class T>
 struct std::numeric_limits<brouwer::DoubleDouble<T>> : std::numeric_limits<T> {
   using DoubleDouble = brouwer::DoubleDouble<T>;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -19,11 +20,26 @@ namespace brouwer {
 
 namespace detail {
 
-/// float and double of 16, 32 or 64 bytes live in a vector register; everything else in an array.
+/// What a vector register of the target holds, in bytes.
+inline constexpr std::size_t register_size =
+#if defined(__AVX512F__)
+    64;
+#elif defined(__AVX__)
+    32;
+#else
+    16;
+#endif
+
+/// Numbers and sizes that vector registers are made for: 16, 32, 64 … bytes of float or double.
 template <class T, int N>
-inline constexpr bool in_register = (std::same_as<T, float> || std::same_as<T, double>)&&(N * sizeof(T) == 16 ||
-                                                                                          N * sizeof(T) == 32 ||
-                                                                                          N * sizeof(T) == 64);
+inline constexpr bool in_registers =
+    (std::same_as<T, float> || std::same_as<T, double>)&&N * sizeof(T) >= 16 && std::has_single_bit(N * sizeof(T));
+
+/// One register, two, four … of them (pack_halves.hpp); everything else lives in an array.
+template <class T, int N>
+inline constexpr bool in_register = in_registers<T, N>&& N * sizeof(T) <= register_size;
+template <class T, int N>
+inline constexpr bool in_halves = in_registers<T, N>&& N * sizeof(T) > register_size;
 
 /// AVX-512 compares into a register of bits; the others into a vector of all ones and zeros.
 template <class T, int N>
@@ -92,8 +108,8 @@ struct PackMask {
 /// N numbers that go through the same operations at once: a member of an ensemble in each lane. Every operation is the
 /// scalar's, lane by lane, so that each lane is bit for bit the scalar run of its member; nothing adds across lanes.
 ///
-/// float and double of 16, 32 or 64 bytes are one vector of the compiler's, which g++ and clang lower to what the
-/// target has; any other T or N, as the wide arithmetic in which a pack's constants are formed, is an array.
+/// float and double that fill a vector register are one vector of the compiler's, those that fill several are halves
+/// (pack_halves.hpp); any other T or N, as the wide arithmetic in which a pack's constants are formed, is an array.
 template <class T, int N>
 class Pack {
  public:
@@ -461,3 +477,5 @@ struct Eigen::NumTraits<brouwer::Pack<T, N>> : Eigen::GenericNumTraits<brouwer::
     MulCost = 1
   };
 };
+
+#include <brouwer/scalar/pack_halves.hpp>
