@@ -273,15 +273,29 @@ namespace detail {
 // has them; everything else goes lane by lane.
 void vector_sqrt();
 void vector_fused_subtract();
+void vector_max();
+void vector_min();
 #if defined(__SSE2__)
+inline __m128d vector_max(__m128d a, __m128d b) { return _mm_max_pd(a, b); }
+inline __m128 vector_max(__m128 a, __m128 b) { return _mm_max_ps(a, b); }
+inline __m128d vector_min(__m128d a, __m128d b) { return _mm_min_pd(a, b); }
+inline __m128 vector_min(__m128 a, __m128 b) { return _mm_min_ps(a, b); }
 inline __m128d vector_sqrt(__m128d a) { return _mm_sqrt_pd(a); }
 inline __m128 vector_sqrt(__m128 a) { return _mm_sqrt_ps(a); }
 #endif
 #if defined(__AVX__)
+inline __m256d vector_max(__m256d a, __m256d b) { return _mm256_max_pd(a, b); }
+inline __m256 vector_max(__m256 a, __m256 b) { return _mm256_max_ps(a, b); }
+inline __m256d vector_min(__m256d a, __m256d b) { return _mm256_min_pd(a, b); }
+inline __m256 vector_min(__m256 a, __m256 b) { return _mm256_min_ps(a, b); }
 inline __m256d vector_sqrt(__m256d a) { return _mm256_sqrt_pd(a); }
 inline __m256 vector_sqrt(__m256 a) { return _mm256_sqrt_ps(a); }
 #endif
 #if defined(__AVX512F__)
+inline __m512d vector_max(__m512d a, __m512d b) { return _mm512_max_pd(a, b); }
+inline __m512 vector_max(__m512 a, __m512 b) { return _mm512_max_ps(a, b); }
+inline __m512d vector_min(__m512d a, __m512d b) { return _mm512_min_pd(a, b); }
+inline __m512 vector_min(__m512 a, __m512 b) { return _mm512_min_ps(a, b); }
 inline __m512d vector_sqrt(__m512d a) { return _mm512_sqrt_pd(a); }
 inline __m512 vector_sqrt(__m512 a) { return _mm512_sqrt_ps(a); }
 #endif
@@ -315,6 +329,20 @@ Pack<T, N> abs(Pack<T, N> const& a) {
   }
   using math::abs;
   return Pack<T, N>::map([](T const& x) { return abs(x); }, a);
+}
+
+/// The instructions max and min are select(a > b, a, b) and select(a < b, a, b) to the last bit, NaN and ±0 included.
+template <class T, int N>
+Pack<T, N> larger(Pack<T, N> const& a, Pack<T, N> const& b) {
+  if constexpr (requires { detail::vector_max(a.values(), b.values()); })
+    return Pack<T, N>(typename Pack<T, N>::Values(detail::vector_max(a.values(), b.values())));
+  return select(a > b, a, b);
+}
+template <class T, int N>
+Pack<T, N> smaller(Pack<T, N> const& a, Pack<T, N> const& b) {
+  if constexpr (requires { detail::vector_min(a.values(), b.values()); })
+    return Pack<T, N>(typename Pack<T, N>::Values(detail::vector_min(a.values(), b.values())));
+  return select(a < b, a, b);
 }
 
 /// |a| with the sign of b, that of zero included.
