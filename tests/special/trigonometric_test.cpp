@@ -54,7 +54,7 @@ std::vector<E> special_arguments() {
   std::vector<E> xs;
   for (E x : {E(0), Limits::denorm_min(), Limits::min(), E(1), E(3), ElementaryConstants<E>::largest_reduced,
               std::nextafter(ElementaryConstants<E>::largest_reduced, Limits::max()), E(1e9F), E(1e22F), E(1e37F),
-              Limits::max() / 4, Limits::infinity(), Limits::quiet_NaN()}) {
+              Limits::max() / 4, Limits::max(), Limits::infinity(), Limits::quiet_NaN()}) {
     xs.push_back(x);
     xs.push_back(-x);
   }

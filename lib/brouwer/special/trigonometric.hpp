@@ -121,13 +121,29 @@ struct ArctangentSeries {
   }();
 };
 
+/// The same point nearer to 1 or farther from it where the halves of its coordinates would not be exact, or their sum
+/// would overflow.
+template <OwnElementary T>
+[[gnu::cold, gnu::noinline]] std::array<T, 2> rescaled(T small, T large, Mask<T> tiny, Mask<T> huge) {
+  using E = Element<T>;
+  T const up = T(1 / std::numeric_limits<E>::epsilon()), down = T(std::numeric_limits<E>::epsilon());
+  T const scale = select(tiny, up, select(huge, down, T(1)));
+  return {small * scale, large * scale};
+}
+
 /// arctan(small/large), 0 ≤ small ≤ large, as value + error: arctan a + arctan((t − a)/(1 + ta)) with a = 0, ½ or 1,
 /// whichever is near t = small/large. The numerators are exact. 0 for 0/0.
 template <OwnElementary T>
-Exact<T> arctangent_of_quotient(T const& small, T const& large) {
+Exact<T> arctangent_of_quotient(T small, T large) {
   using E = Element<T>;
   using Constants = ElementaryConstants<E>;
   using Series = ArctangentSeries<E>;
+  auto const tiny = large<T(std::numeric_limits<E>::min() * 16), huge = large> T(std::numeric_limits<E>::max() / 2);
+  if (any(either(tiny, huge))) {
+    auto const scaled = rescaled(small, large, tiny, huge);
+    small = scaled[0];
+    large = scaled[1];
+  }
   auto const half = small > T(5) / T(16) * large, one = small > T(3) / T(4) * large;
   auto const near = [&](T const& none, T const& at_half, T const& at_one) {
     return select(one, at_one, select(half, at_half, none));
@@ -155,7 +171,6 @@ Exact<T> reflected(Mask<T> const& mask, Exact<Element<T>> const& whole, Exact<T>
 
 /// The angle of the point (x, y), −π ≤ angle ≤ π radians, with the signs of zero of C's atan2; NaN for NaN and for two
 /// infinities.
-/// @param y,x  float and double: below half the largest number
 /// Method:   float and double: quotient of the smaller by the larger, less ½ or 1 where that is near, Taylor's series,
 ///           reflections in twice the bits. Other scalars: their library's atan2.
 /// Error:    float and double below 0.99 ε|angle|, which is 1.5 ulp next to a power of 2, over 1.5·10⁶ points; measured
