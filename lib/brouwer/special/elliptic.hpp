@@ -64,11 +64,11 @@ class EllipticFunctions {
 
   /// The u with sn u : cn u = s : c, that is F(arctan(s/c), k), −K ≤ u ≤ K.
   /// @param s,c  any two numbers with c ≥ 0 in a proportion; k = 1, c = 0: ±∞
-  /// Method:   Landen's transformation of w = a cot φ, w → (w − ag/w)/2, which doubles φ; the half turns are counted:
-  ///           R. Bulirsch, Numer. Math. 7 (1965) 78 [DLMF 19.8(ii)]. k = 1: R_F. Small s/c: s/c.
+  /// Method:   Landen's transformation of w = 2ⁿa cot φ, w → w − 4ⁿag/w, which doubles φ; half turns are counted as
+  ///           fractions of the last: R. Bulirsch, Numer. Math. 7 (1965) 78 [DLMF 19.8(ii)]. k = 1: R_F. Small s/c: s/c.
   T argument(T const& s, T const& c) const {
     using math::abs;
-    T const size = abs(s), nothing = squared(epsilon<T>());
+    T const size = abs(s), nothing = squared(epsilon<T>());  // w = 0 becomes a quotient that is not 1/0
     auto const tiny = size <= root_epsilon() / T(2) * c;
     T w = c / select(tiny, T(1), size) + nothing, half_turns = T(0);
     for (std::size_t i = 0; i < count_; ++i) {
