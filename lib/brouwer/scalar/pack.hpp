@@ -292,12 +292,13 @@ inline __m256d vector_sqrt(__m256d a) { return _mm256_sqrt_pd(a); }
 inline __m256 vector_sqrt(__m256 a) { return _mm256_sqrt_ps(a); }
 #endif
 #if defined(__AVX512F__)
-inline __m512d vector_max(__m512d a, __m512d b) { return _mm512_max_pd(a, b); }
-inline __m512 vector_max(__m512 a, __m512 b) { return _mm512_max_ps(a, b); }
-inline __m512d vector_min(__m512d a, __m512d b) { return _mm512_min_pd(a, b); }
-inline __m512 vector_min(__m512 a, __m512 b) { return _mm512_min_ps(a, b); }
-inline __m512d vector_sqrt(__m512d a) { return _mm512_sqrt_pd(a); }
-inline __m512 vector_sqrt(__m512 a) { return _mm512_sqrt_ps(a); }
+// every lane, by mask: g++ 12 warns of its own unmasked intrinsics (GCC bug 105593)
+inline __m512d vector_max(__m512d a, __m512d b) { return _mm512_maskz_max_pd(0xFF, a, b); }
+inline __m512 vector_max(__m512 a, __m512 b) { return _mm512_maskz_max_ps(0xFFFF, a, b); }
+inline __m512d vector_min(__m512d a, __m512d b) { return _mm512_maskz_min_pd(0xFF, a, b); }
+inline __m512 vector_min(__m512 a, __m512 b) { return _mm512_maskz_min_ps(0xFFFF, a, b); }
+inline __m512d vector_sqrt(__m512d a) { return _mm512_maskz_sqrt_pd(0xFF, a); }
+inline __m512 vector_sqrt(__m512 a) { return _mm512_maskz_sqrt_ps(0xFFFF, a); }
 #endif
 #if defined(__FMA__)
 inline __m128d vector_fused_subtract(__m128d a, __m128d b, __m128d c) { return _mm_fmsub_pd(a, b, c); }
