@@ -51,6 +51,7 @@ inline std::vector<BodyCase> special_bodies() {
           // c₁² = c₂² = 1/2 (of no real body) and |y₁| = |y₃|: k = 1 up to rounding
           {"separatrix", {2, 3, 6}, {1, 0.5, 1}, {1, 0, 0, 0}},
           {"separatrix, y2 = 0", {2, 3, 6}, {1, 0, -1}, {1, 0, 0, 0}},
+          {"separatrix, cn < 0", {2, 3, 6}, {-1, 0.5, 1}, {1, 0, 0, 0}},
           {"flat body", {0.4, 0.6, 1.0}, {0.5, 1.0, -0.3}, {1, 0, 0, 0}}};
 }
 

@@ -223,27 +223,34 @@ namespace detail {
 // The instructions that the compilers' vector types have no operator for, by width. Overloads exist where the target
 // has them; everything else goes lane by lane.
 void vector_sqrt();
-void vector_larger();
+void vector_max();
+void vector_min();
 void vector_fused_add();
 void vector_fused_subtract();
 #if defined(__SSE2__)
 inline __m128d vector_sqrt(__m128d a) { return _mm_sqrt_pd(a); }
-inline __m128d vector_larger(__m128d a, __m128d b) { return _mm_max_pd(a, b); }
+inline __m128d vector_max(__m128d a, __m128d b) { return _mm_max_pd(a, b); }
+inline __m128d vector_min(__m128d a, __m128d b) { return _mm_min_pd(a, b); }
 inline __m128 vector_sqrt(__m128 a) { return _mm_sqrt_ps(a); }
-inline __m128 vector_larger(__m128 a, __m128 b) { return _mm_max_ps(a, b); }
+inline __m128 vector_max(__m128 a, __m128 b) { return _mm_max_ps(a, b); }
+inline __m128 vector_min(__m128 a, __m128 b) { return _mm_min_ps(a, b); }
 #endif
 #if defined(__AVX__)
 inline __m256d vector_sqrt(__m256d a) { return _mm256_sqrt_pd(a); }
-inline __m256d vector_larger(__m256d a, __m256d b) { return _mm256_max_pd(a, b); }
+inline __m256d vector_max(__m256d a, __m256d b) { return _mm256_max_pd(a, b); }
+inline __m256d vector_min(__m256d a, __m256d b) { return _mm256_min_pd(a, b); }
 inline __m256 vector_sqrt(__m256 a) { return _mm256_sqrt_ps(a); }
-inline __m256 vector_larger(__m256 a, __m256 b) { return _mm256_max_ps(a, b); }
+inline __m256 vector_max(__m256 a, __m256 b) { return _mm256_max_ps(a, b); }
+inline __m256 vector_min(__m256 a, __m256 b) { return _mm256_min_ps(a, b); }
 #endif
 #if defined(__AVX512F__)
 // with a mask of ones: the plain intrinsics of g++ 12 warn of their own uninitialised variable (GCC bug 105593)
 inline __m512d vector_sqrt(__m512d a) { return _mm512_maskz_sqrt_pd(0xff, a); }
-inline __m512d vector_larger(__m512d a, __m512d b) { return _mm512_maskz_max_pd(0xff, a, b); }
+inline __m512d vector_max(__m512d a, __m512d b) { return _mm512_maskz_max_pd(0xff, a, b); }
+inline __m512d vector_min(__m512d a, __m512d b) { return _mm512_maskz_min_pd(0xff, a, b); }
 inline __m512 vector_sqrt(__m512 a) { return _mm512_maskz_sqrt_ps(0xffff, a); }
-inline __m512 vector_larger(__m512 a, __m512 b) { return _mm512_maskz_max_ps(0xffff, a, b); }
+inline __m512 vector_max(__m512 a, __m512 b) { return _mm512_maskz_max_ps(0xffff, a, b); }
+inline __m512 vector_min(__m512 a, __m512 b) { return _mm512_maskz_min_ps(0xffff, a, b); }
 #endif
 #if defined(__FMA__)
 inline __m128d vector_fused_add(__m128d a, __m128d b, __m128d c) { return _mm_fmadd_pd(a, b, c); }
@@ -332,13 +339,6 @@ Pack<T, N> select(PackMask<T, N> const& mask, Pack<T, N> const& yes, Pack<T, N> 
   }
 }
 
-/// The maximum by mask, as for single numbers: the instruction has the same rule for equal and unordered operands.
-template <class T, int N>
-requires requires(typename Pack<T, N>::Values v) { detail::vector_larger(v, v); }
-Pack<T, N> larger(Pack<T, N> const& a, Pack<T, N> const& b) {
-  return Pack<T, N>(typename Pack<T, N>::Values(detail::vector_larger(a.values(), b.values())));
-}
-
 // --- functions --------------------------------------------------------------------------------------------------------
 
 /// Correctly rounded, as IEEE asks.
@@ -359,6 +359,20 @@ Pack<T, N> abs(Pack<T, N> const& a) {
   }
   using math::abs;
   return Pack<T, N>::map([](T const& x) { return abs(x); }, a);
+}
+
+/// The instructions max and min are select(a > b, a, b) and select(a < b, a, b) to the last bit, NaN and ±0 included.
+template <class T, int N>
+Pack<T, N> larger(Pack<T, N> const& a, Pack<T, N> const& b) {
+  if constexpr (requires { detail::vector_max(a.values(), b.values()); })
+    return Pack<T, N>(typename Pack<T, N>::Values(detail::vector_max(a.values(), b.values())));
+  return select(a > b, a, b);
+}
+template <class T, int N>
+Pack<T, N> smaller(Pack<T, N> const& a, Pack<T, N> const& b) {
+  if constexpr (requires { detail::vector_min(a.values(), b.values()); })
+    return Pack<T, N>(typename Pack<T, N>::Values(detail::vector_min(a.values(), b.values())));
+  return select(a < b, a, b);
 }
 
 /// |a| with the sign of b, that of zero included.

@@ -96,6 +96,12 @@ T larger(T const& a, T const& b) {
   return select(a > b, a, b);
 }
 
+/// The minimum, likewise.
+template <Real T>
+T smaller(T const& a, T const& b) {
+  return select(a < b, a, b);
+}
+
 /// +1 or −1; zero (of either sign) counts as positive.
 template <Real T>
 T sign_of(T const& a) {

@@ -43,7 +43,7 @@ T half_to_the(T n) {
 /// sech u = 1/cosh u and tanh u, u any number; ±∞ included. sech is 0 where it is below e⁻⁷⁰⁰ (float: e⁻⁸⁰).
 /// Method:   float and double: e^{−|u|} and e^{−|u|} − 1 from one reduction by ln 2 and Taylor's series. Other scalars:
 ///           their library's cosh and tanh.
-/// Error:    MEASURED_HYPERBOLIC
+/// Error:    float and double below 1.5 ε sech u and 2.1 ε tanh u over 10⁶ arguments; measured against 257 bits, not proved.
 /// Rounding: the order of operations is part of the contract; every lane has the scalar's bits.
 template <Real T>
 SechTanh<T> sech_tanh(T const& u) {

@@ -35,14 +35,14 @@ struct SineSeries {
   }();
 };
 
-/// x − nπ/2 as value + error, nearly twice as accurate as T: W. J. Cody, W. Waite, Software Manual for the Elementary
+/// x − nπ/2 as an unevaluated sum of nearly twice the bits of T: W. J. Cody, W. Waite, Software Manual for the Elementary
 /// Functions (1980), with the errors of the differences kept. x − n·(first part) is exact.
 template <OwnElementary T>
 Exact<T> less_quarter_turns(T const& x, T const& n) {
   constexpr auto part = ElementaryConstants<Element<T>>::half_pi_parts;
   auto const second = two_sum(T(x - n * T(part[0])), T(-(n * T(part[1]))));
   auto const third = two_sum(second.value, T(-(n * T(part[2]))));
-  return fast_two_sum(third.value, T((second.error + third.error) - n * T(part[3])));
+  return {third.value, (second.error + third.error) - n * T(part[3])};
 }
 
 /// Of r.value + r.error, |r| ≤ π/4.
@@ -57,7 +57,7 @@ SineCosine<T> sine_cosine_of_eighth_turn(Exact<T> const& r) {
 
 /// The lanes outside the reduction's range again, by MPFR; infinity has no sine.
 template <OwnElementary T>
-void reduce_in_mpfr(T const& x, SineCosine<T>& result) {
+[[gnu::cold, gnu::noinline]] SineCosine<T> reduced_in_mpfr(T x, T sine, T cosine) {
   using E = Element<T>;
   auto const patched = [&](T const& inside, auto function) {
     return from_lanes<T>([&](int i) {
@@ -66,8 +66,8 @@ void reduce_in_mpfr(T const& x, SineCosine<T>& result) {
       return outside ? static_cast<E>(function(Mpfr<128>(xi))) : lane(inside, i);
     });
   };
-  result = {patched(result.sin, [](Mpfr<128> const& a) { return sin(a); }),
-            patched(result.cos, [](Mpfr<128> const& a) { return cos(a); })};
+  return {patched(sine, [](Mpfr<128> const& a) { return sin(a); }),
+          patched(cosine, [](Mpfr<128> const& a) { return cos(a); })};
 }
 
 }  // namespace detail
@@ -75,7 +75,8 @@ void reduce_in_mpfr(T const& x, SineCosine<T>& result) {
 /// sin x and cos x, x in radians; NaN for NaN and ±∞, sin ±0 = ±0.
 /// Method:   float and double: x − nπ/2 in nearly twice the bits, Taylor's series, exchange and signs by n mod 4; for
 ///           |x| > 2²⁰ (float: 2¹⁰) lane by lane by MPFR at 128 bits. Other scalars: their library's sin and cos.
-/// Error:    MEASURED_SINE
+/// Error:    float and double below 0.86 ulp over 1.5·10⁶ arguments (uniform, logarithmic down to denormal numbers, next to
+///           multiples of π/2); measured against 257 bits, not proved.
 /// Rounding: the order of operations is part of the contract; every lane has the scalar's bits.
 template <Real T>
 SineCosine<T> sine_cosine(T const& x) {
@@ -85,7 +86,7 @@ SineCosine<T> sine_cosine(T const& x) {
 }
 
 template <OwnElementary T>
-SineCosine<T> sine_cosine(T const& x) {
+inline SineCosine<T> sine_cosine(T const& x) {
   using math::abs;
   using Constants = ElementaryConstants<Element<T>>;
   T const n = nearest_integer(T(x * T(Constants::two_over_pi)));
@@ -95,10 +96,10 @@ SineCosine<T> sine_cosine(T const& x) {
   auto const exchanged = abs(quarter) == T(1), opposite = abs(quarter) == T(2);
   T const s = select(exchanged, r.cos, r.sin), c = select(exchanged, r.sin, r.cos);
   auto const tiny = abs(x) < T(std::numeric_limits<Element<T>>::epsilon());  // x³/6 is nothing; keeps −0
-  SineCosine<T> result{select(tiny, x, select(either(opposite, quarter == T(-1)), T(-s), s)),
-                       select(either(opposite, quarter == T(1)), T(-c), c)};
-  if (any(abs(x) > T(Constants::largest_reduced))) detail::reduce_in_mpfr(x, result);
-  return result;
+  T const sine = select(tiny, x, select(either(opposite, quarter == T(-1)), T(-s), s));
+  T const cosine = select(either(opposite, quarter == T(1)), T(-c), c);
+  if (any(abs(x) > T(Constants::largest_reduced))) return detail::reduced_in_mpfr(x, sine, cosine);
+  return {sine, cosine};
 }
 
 namespace detail {
@@ -120,20 +121,36 @@ struct ArctangentSeries {
   }();
 };
 
+/// The same point nearer to 1 or farther from it where the halves of its coordinates would not be exact, or their sum
+/// would overflow.
+template <OwnElementary T>
+[[gnu::cold, gnu::noinline]] std::array<T, 2> rescaled(T small, T large, Mask<T> tiny, Mask<T> huge) {
+  using E = Element<T>;
+  T const up = T(1 / std::numeric_limits<E>::epsilon()), down = T(std::numeric_limits<E>::epsilon());
+  T const scale = select(tiny, up, select(huge, down, T(1)));
+  return {small * scale, large * scale};
+}
+
 /// arctan(small/large), 0 ≤ small ≤ large, as value + error: arctan a + arctan((t − a)/(1 + ta)) with a = 0, ½ or 1,
 /// whichever is near t = small/large. The numerators are exact. 0 for 0/0.
 template <OwnElementary T>
-Exact<T> arctangent_of_quotient(T const& small, T const& large) {
+Exact<T> arctangent_of_quotient(T small, T large) {
   using E = Element<T>;
   using Constants = ElementaryConstants<E>;
   using Series = ArctangentSeries<E>;
+  auto const tiny = large<T(std::numeric_limits<E>::min() * 16), huge = large> T(std::numeric_limits<E>::max() / 2);
+  if (any(either(tiny, huge))) {
+    auto const scaled = rescaled(small, large, tiny, huge);
+    small = scaled[0];
+    large = scaled[1];
+  }
   auto const half = small > T(5) / T(16) * large, one = small > T(3) / T(4) * large;
   auto const near = [&](T const& none, T const& at_half, T const& at_one) {
     return select(one, at_one, select(half, at_half, none));
   };
   T const above = near(small, small - large / T(2), small - large);
-  T const below = near(large, large + small / T(2), large + small);
-  T const z = above / select(below == T(0), T(1), below), w = z * z;
+  T const below = near(select(large == T(0), T(1), large), large + small / T(2), large + small);
+  T const z = above / below, w = z * z;
   T const tail = z * (w * power_sum(Series::coefficients, w));
 
   T const anchor = near(T(0), T(Constants::arctan_half.value), T(Constants::quarter_pi.value));
@@ -154,10 +171,10 @@ Exact<T> reflected(Mask<T> const& mask, Exact<Element<T>> const& whole, Exact<T>
 
 /// The angle of the point (x, y), −π ≤ angle ≤ π radians, with the signs of zero of C's atan2; NaN for NaN and for two
 /// infinities.
-/// @param y,x  float and double: below half the largest number
 /// Method:   float and double: quotient of the smaller by the larger, less ½ or 1 where that is near, Taylor's series,
 ///           reflections in twice the bits. Other scalars: their library's atan2.
-/// Error:    MEASURED_ARCTANGENT
+/// Error:    float and double below 0.99 ε|angle|, which is 1.5 ulp next to a power of 2, over 1.5·10⁶ points; measured
+///           against 257 bits, not proved.
 /// Rounding: the order of operations is part of the contract; every lane has the scalar's bits.
 template <Real T>
 T arctangent(T const& y, T const& x) {
@@ -166,13 +183,14 @@ T arctangent(T const& y, T const& x) {
 }
 
 template <OwnElementary T>
-T arctangent(T const& y, T const& x) {
+inline T arctangent(T const& y, T const& x) {
   using math::abs;
   using math::copysign;
   using Constants = ElementaryConstants<Element<T>>;
   T const up = abs(y), across = abs(x);
   auto const steep = up > across;
-  auto const first = detail::arctangent_of_quotient(select(steep, across, up), select(steep, up, across));
+  // the second argument is what is not a number, if one is
+  auto const first = detail::arctangent_of_quotient(smaller(across, up), larger(up, across));
   auto const quadrant = detail::reflected<T>(steep, Constants::half_pi, first);
   auto const left = copysign(T(1), x) < T(0);
   auto const angle = detail::reflected<T>(left, Constants::pi, quadrant);

@@ -21,10 +21,11 @@ class RigidBodyFlow {
         constants_(body),
         branch_(constants_, start.momentum),
         frame_(branch_, start.momentum),
+        functions_(branch_.modulus),
         resting_(at_rest(constants_, start.momentum)),
+        side_(sign_of(branch_.y_cn)),
         rate_(branch_.rate(constants_.c3)) {
-    argument_ =
-        resting_ ? T(0) : elliptic_f(T(arctangent(T(branch_.c_cn * branch_.y_sn), branch_.y_cn)), branch_.modulus);
+    if (!resting_) argument_ = functions_.argument(T(side_ * branch_.c_cn * branch_.y_sn), T(side_ * branch_.y_cn));
     periodic_ = !resting_ && branch_.modulus < T(1);
     if (periodic_) {
       period_ = T(2) * complete_elliptic_k(branch_.modulus) / abs(rate_);
@@ -33,7 +34,9 @@ class RigidBodyFlow {
   }
 
   Vector3<T> momentum(T const& t) const {
-    return resting_ ? start_.momentum : branch_.momentum(jacobi_elliptic(T(argument_ + rate_ * t), branch_.modulus));
+    if (resting_) return start_.momentum;
+    auto const j = functions_.jacobi(T(argument_ + rate_ * t));
+    return branch_.momentum({side_ * j.sn, side_ * j.cn, j.dn});
   }
 
   RigidBodyState<T> operator()(T const& t) const {
@@ -79,7 +82,9 @@ class RigidBodyFlow {
   EllipticConstants<T> constants_;
   EllipticBranch<T> branch_;
   AttitudeFrame<T> frame_;
+  EllipticFunctions<T> functions_;
   bool resting_, periodic_ = false;
+  T side_;  ///< −1: half a period further on in the argument, where sn and cn have the other sign
   T rate_, argument_{}, period_{}, angle_of_period_{};
 };
 
