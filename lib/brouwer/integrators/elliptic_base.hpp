@@ -33,6 +33,7 @@ class EllipticBase {
 
   /// The state after a step that computed the momentum's new value.
   State with_momentum(State const& s, Vector3<T> const& y) const {
+    if (!attitude_) return {y, s.attitude};
     auto const& y0 = s.momentum;
     State next = sum(s, change(s, {y[0] - y0[0], y[1] - y0[1], y[2] - y0[2]}));
     next.momentum = y;
