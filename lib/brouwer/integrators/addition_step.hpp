@@ -1,95 +1,25 @@
 #pragma once
+#include <algorithm>
+#include <array>
+
 #include <brouwer/special/sn_series.hpp>
 #include <brouwer/systems/elliptic_constants.hpp>
 
 namespace brouwer {
 
-/// The factors of the addition theorem for one step from y: what sn, cn, dn of the step are, free of branches.
-template <Real T>
-struct AdditionFactors {
-  T w;            ///< τ g: sn of the step over its frequency
-  T P, R;         ///< its cn and dn (or dn and cn, in the other branch)
-  T p1, r1;       ///< P − 1 and R − 1 without cancellation
-  T e;            ///< c₁² c₂² w² y₂²
-  T denominator;  ///< D = 1 − e
-};
-
-/// The elliptic solution over a fixed time by the addition theorem in a form with no modulus, no sign, no branch
-/// and no inverse function. With τ = c₃h:
-///     A = c₁²τ²(c₂²y₂² + y₃²)    B = c₂²τ²(y₁² + c₁²y₂²)    g = g(A+B, AB)    w = τg
-///     P = √(1 − Ag²)    R = √(1 − Bg²)    D = 1 − c₁²c₂²w²y₂²
-/// Where the series of g would be too long the step is halved and put together again by doubling, in which nothing
-/// cancels: with s² = Ag², t² = Bg², E = 1 − s²t²
-///     w(2τ) = 2wPR/E    P(2τ) − 1 = −2s²R²/E    R(2τ) − 1 = −2t²P²/E.
-template <Real T>
-class AdditionStep {
- public:
-  /// @param time         h, in the body's unit of time; exact
-  /// @param halvings     how often it is halved
-  /// @param series       long enough for the halved step
-  AdditionStep(EllipticConstants<T> const& c, Wider<T> const& time, int halvings, SnSeries<T> const& series)
-      : halvings_(halvings), series_(series) {
-    using W = Wider<T>;
-    using std::ldexp;
-    tau_ = rounded<T>(W(ldexp(W(W(c.c3) * time), -halvings)));
-    c1_squared_ = rounded<T>(W(squared(W(c.c1))));
-    c2_squared_ = rounded<T>(W(squared(W(c.c2))));
-  }
-
-  T const& c1_squared() const { return c1_squared_; }
-  T const& c2_squared() const { return c2_squared_; }
-
-  AdditionFactors<T> operator()(Vector3<T> const& y) const {
-    using math::sqrt;
-    T const y2_squared = squared(y[1]);
-    T const a = c1_squared_ * (c2_squared_ * y2_squared + squared(y[2]));
-    T const b = c2_squared_ * (squared(y[0]) + c1_squared_ * y2_squared);
-    T const tau_squared = squared(tau_);
-    T const A = a * tau_squared, B = b * tau_squared;
-
-    AdditionFactors<T> f{};
-    f.w = tau_ * series_(A + B, A * B);
-    T s2 = a * squared(f.w), t2 = b * squared(f.w);
-    f.P = sqrt(T(1) - s2);
-    f.R = sqrt(T(1) - t2);
-    f.p1 = -s2 / (T(1) + f.P);
-    f.r1 = -t2 / (T(1) + f.R);
-    for (int i = 0; i < halvings_; ++i) double_step(f, s2, t2, a, b);
-    f.e = c1_squared_ * c2_squared_ * squared(f.w) * y2_squared;
-    f.denominator = T(1) - f.e;
-    return f;
-  }
-
- private:
-  static void double_step(AdditionFactors<T>& f, T& s2, T& t2, T const& a, T const& b) {
-    T const E = T(1) - s2 * t2, P2 = squared(f.P), R2 = squared(f.R);
-    f.w = T(2) * f.w * f.P * f.R / E;
-    f.p1 = -(T(2) * s2 * R2 / E);
-    f.r1 = -(T(2) * t2 * P2 / E);
-    f.P = T(1) + f.p1;
-    f.R = T(1) + f.r1;
-    s2 = a * squared(f.w);
-    t2 = b * squared(f.w);
-  }
-
-  T tau_, c1_squared_, c2_squared_;
-  int halvings_;
-  SnSeries<T> series_;
-};
-
-/// How long the series of g must be, and how often a step is halved, for full precision from a start: σ = A + B is a
-/// first integral, so that the start decides.
+/// How a step is made with full precision from a start: σ = A + B is a first integral, so that the start decides.
 struct SeriesPlan {
-  int halvings = 0, terms = 1;
+  int halvings = 1, terms = 1;
 };
 
+/// @param y  momentum at the start
 template <Real T>
-SeriesPlan plan_series(EllipticConstants<T> const& c, Vector3<T> const& y, T const& h) {
-  double const c1 = static_cast<double>(c.c1), c2 = static_cast<double>(c.c2);
-  double const tau = static_cast<double>(c.c3) * static_cast<double>(h);
-  double const y1 = static_cast<double>(y[0]), y2 = static_cast<double>(y[1]), y3 = static_cast<double>(y[2]);
+SeriesPlan plan_series(EllipticConstants<T> const& c, Vector3<T> const& y, double h, int lane_index) {
+  auto const number = [&](T const& x) { return static_cast<double>(lane(x, lane_index)); };
+  double const c1 = number(c.c1), c2 = number(c.c2), tau = number(c.c3) * h;
+  double const y1 = number(y[0]), y2 = number(y[1]), y3 = number(y[2]);
   double const a = c1 * c1 * (c2 * c2 * y2 * y2 + y3 * y3), b = c2 * c2 * (y1 * y1 + c1 * c1 * y2 * y2);
-  double sigma = 1.01 * tau * tau * (a + b);  // 1 %: round-off over a long run stays far below
+  double sigma = 1.01 * tau * tau * (a + b) / 4;  // 1 %: round-off over a long run stays far below
   SeriesPlan plan;
   constexpr int most_halvings = 1024;  // a step beyond 2^1024 is not finite anyway
   while (SnSeries<T>::terms_needed(sigma) > SnSeries<T>::most_terms && plan.halvings < most_halvings) {
@@ -99,5 +29,131 @@ SeriesPlan plan_series(EllipticConstants<T> const& c, Vector3<T> const& y, T con
   plan.terms = std::min(SnSeries<T>::terms_needed(sigma), SnSeries<T>::most_terms);
   return plan;
 }
+
+/// Half a step: what sn, cn, dn of it are, free of branches. sn over its frequency is τg; s² = Ag² and t² = Bg² are the
+/// squares of sn and k sn.
+template <Real T>
+struct HalfStep {
+  T g, slope_less_one;  ///< slope = cn dn
+  T s2, t2, E;          ///< E = 1 − s²t²
+};
+
+/// The elliptic solution over a fixed time by the addition theorem in a form with no modulus, no sign, no branch, no
+/// root and no inverse function, from the three coefficients of Euler's equations times half the step (or a quarter …):
+///     λ₁ = c₁²c₃h/2    λ₂ = c₃h/2    λ₃ = c₂²c₃h/2
+/// Each is rounded once; the step conserves its two quadratic first integrals whatever they are, so that they cannot
+/// contradict one another. Half the step:
+///     A = λ₁(λ₃y₂² + λ₂y₃²)    B = λ₃(λ₂y₁² + λ₁y₂²)    g = g(A+B, AB)    q = cn dn = q(A+B, AB)    s² = Ag²    t² = Bg²
+/// and doubled, where nothing cancels: with E = 1 − s²t², all over E,
+///     G = 2gq    P = E + p, p = −2s²(1 − t²)    R = E + r, r = −2t²(1 − s²)
+/// Where the series would be too long, the half step is made from its half in the same way, and so on.
+template <Real T>
+class AdditionStep {
+ public:
+  /// @param time         h, in the body's unit of time; exact
+  AdditionStep(EllipticConstants<T> const& c, Wider<T> const& time, Vector3<T> const& start)
+      : AdditionStep(c, time, plans(c, time, start)) {}
+
+  std::array<T, 3> const& lambda() const { return lambda_; }
+  /// h/2, or a quarter …: as often halved as the half step's g is doubled.
+  T const& shortest() const { return shortest_; }
+
+  HalfStep<T> half(Vector3<T> const& y) const {
+    T const y2_squared = squared(y[1]);
+    T const A = lambda_[0] * (lambda_[2] * y2_squared + lambda_[1] * squared(y[2]));
+    T const B = lambda_[2] * (lambda_[1] * squared(y[0]) + lambda_[0] * y2_squared);
+    auto const series = series_(A + B, A * B);
+    auto half = half_step(series.g, series.slope_less_one, A, B);
+    for (int i = 1; i < most_halvings_; ++i) {
+      auto const own = T(i) < halvings_;
+      auto const next = doubled(half, A, B);
+      half = {select(own, next.g, half.g), select(own, next.slope_less_one, half.slope_less_one),
+              select(own, next.s2, half.s2), select(own, next.t2, half.t2), select(own, next.E, half.E)};
+    }
+    return half;
+  }
+
+  /// y' = (PEy₁ − λ₁GRy₂y₃, PRy₂ + λ₂GEy₁y₃, REy₃ − λ₃GPy₁y₂)/D
+  Vector3<T> next(HalfStep<T> const& half, Vector3<T> const& y) const {
+    auto const f = whole(half, y);
+    T const E = half.E;
+    return {f.per_D * (f.P * E * y[0] - f.R * f.turn[0]), f.per_D * (f.P * f.R * y[1] + E * f.turn[1]),
+            f.per_D * (f.R * E * y[2] - f.P * f.turn[2])};
+  }
+
+  /// y' − y = ((pE + e)y₁ − λ₁GRy₂y₃, ((p + r)E + pr + e)y₂ + λ₂GEy₁y₃, (rE + e)y₃ − λ₃GPy₁y₂)/D
+  Vector3<T> increment(HalfStep<T> const& half, Vector3<T> const& y) const {
+    auto const f = whole(half, y);
+    T const E = half.E;
+    return {f.per_D * ((f.p * E + f.e) * y[0] - f.R * f.turn[0]),
+            f.per_D * (((f.p + f.r) * E + (f.p * f.r + f.e)) * y[1] + E * f.turn[1]),
+            f.per_D * ((f.r * E + f.e) * y[2] - f.P * f.turn[2])};
+  }
+
+ private:
+  /// cn and dn (or dn and cn) are P/E and R/E
+  struct Whole {
+    T P, R;           ///< E + p, E + r
+    T p, r;           ///< of full relative accuracy
+    T e, per_D;       ///< e = λ₁λ₃G²y₂² and 1/D, D = E² − e
+    Vector3<T> turn;  ///< λ₁Gy₂y₃, λ₂Gy₁y₃, λ₃Gy₁y₂
+  };
+
+  Whole whole(HalfStep<T> const& half, Vector3<T> const& y) const {
+    Whole f{};
+    T const s2 = half.s2 + half.s2, t2 = half.t2 + half.t2, g = half.g + half.g;
+    f.p = s2 * half.t2 - s2;
+    f.r = t2 * half.s2 - t2;
+    f.P = half.E + f.p;
+    f.R = half.E + f.r;
+    T const G = g + g * half.slope_less_one;
+    Vector3<T> const v{G * y[0], G * y[1], G * y[2]};
+    T const v1 = lambda_[0] * v[1], v3 = lambda_[2] * v[1];
+    f.e = v1 * v3;
+    f.per_D = T(1) / (squared(half.E) - f.e);
+    f.turn = {v1 * y[2], lambda_[1] * v[0] * y[2], v3 * y[0]};
+    return f;
+  }
+
+  using Plans = std::array<SeriesPlan, static_cast<std::size_t>(lanes<T>)>;
+
+  static Plans plans(EllipticConstants<T> const& c, Wider<T> const& time, Vector3<T> const& start) {
+    Plans all;
+    for (int i = 0; i < lanes<T>; ++i)
+      all[static_cast<std::size_t>(i)] = plan_series(c, start, static_cast<double>(lane(time, i)), i);
+    return all;
+  }
+
+  AdditionStep(EllipticConstants<T> const& c, Wider<T> const& time, Plans const& plans)
+      : series_([&](int i) { return plans[static_cast<std::size_t>(i)].terms; }) {
+    using W = Wider<T>;
+    auto const halvings_of = [&](int i) { return plans[static_cast<std::size_t>(i)].halvings; };
+    halvings_ = from_lanes<T>([&](int i) { return Element<T>(halvings_of(i)); });
+    for (int i = 0; i < lanes<T>; ++i) most_halvings_ = std::max(most_halvings_, halvings_of(i));
+    W const shortest = from_lanes<W>([&](int i) {
+      using std::ldexp;
+      return Element<W>(ldexp(Element<W>(lane(time, i)), -halvings_of(i)));
+    });
+    W const tau = W(c.c3) * shortest;
+    shortest_ = rounded<T>(shortest);
+    lambda_ = {rounded<T>(W(squared(W(c.c1)) * tau)), rounded<T>(tau), rounded<T>(W(squared(W(c.c2)) * tau))};
+  }
+
+  static HalfStep<T> half_step(T const& g, T const& slope_less_one, T const& A, T const& B) {
+    T const g2 = squared(g), s2 = A * g2, t2 = B * g2;
+    return {g, slope_less_one, s2, t2, T(1) - s2 * t2};
+  }
+
+  static HalfStep<T> doubled(HalfStep<T> const& h, T const& A, T const& B) {
+    T const p = -(T(2) * h.s2 * (T(1) - h.t2) / h.E), r = -(T(2) * h.t2 * (T(1) - h.s2) / h.E);
+    T const g = T(2) * h.g * (T(1) + h.slope_less_one) / h.E;
+    return half_step(g, p + r + p * r, A, B);
+  }
+
+  std::array<T, 3> lambda_;
+  T shortest_, halvings_;
+  int most_halvings_ = 1;
+  SnSeries<T> series_;
+};
 
 }  // namespace brouwer

@@ -1,73 +1,163 @@
 #pragma once
-#include <vector>
-
 #include <brouwer/integrators/addition_step.hpp>
 #include <brouwer/special/gauss_legendre.hpp>
 #include <brouwer/systems/attitude_frame.hpp>
 
 namespace brouwer {
 
-/// The attitude over one step of an elliptic integrator, from the momentum before the step and its change.
-/// Δψ is a Gauss–Legendre quadrature to the working precision; the momentum at the nodes comes from the
-/// branch-free addition step, which is cheap, whichever form advances the momentum itself.
+/// ρ of EllipticAttitude for one trajectory and step, from Δψ over the step whose middle is at y₂ = 0: there
+///     ρ = 4bq/(hg) − 2H(M)/|M|²,    c·M = b|M|²
+/// @param nodes  of the Gauss–Legendre quadrature of dψ/dt, which is even about the middle
+template <Real W>
+W attitude_constant(RigidBody<W> const& body, Vector3<W> const& start, W const& h, int nodes) {
+  EllipticConstants<W> const c(body);
+  EllipticBranch<W> const branch(c, start);
+  Vector3<W> const middle = branch.momentum({W(0), W(1), W(1)});
+  auto const after_middle = [&](W const& time) {
+    AdditionStep<W> const step(c, Wider<W>(time), middle);
+    return step.next(step.half(middle), middle);
+  };
+  Vector3<W> const after = after_middle(h / W(2)), before{after[0], -after[1], after[2]};
+  Vector3<W> const M{after[0] + before[0], W(0), after[2] + before[2]};
+  W const n = squared_norm(M);
+  if (!(n > W(0))) return W(0);
+
+  EllipticBranch<W> const here(c, before);
+  AttitudeFrame<W> const frame(here, before);
+  int const dn_axis = here.exchanged ? 0 : 2;
+  W psi = W(0);
+  GaussLegendre<W> const rule(nodes);
+  for (auto const& node : rule.nodes()) {
+    W const along = here.side() * after_middle(h * node.x / W(2))[dn_axis];
+    psi += h * node.weight * attitude_rate(W(W(2) * body.energy(before)), frame.r, along, body.inertia()[dn_axis]);
+  }
+  auto const turn = frame.turn_less_one({W(0), after[1] - before[1], W(0)}, psi);
+  W const b = (turn.x() * M[0] + turn.z() * M[2]) / ((W(1) + turn.w()) * n);
+  AdditionStep<W> const step(c, Wider<W>(h), middle);
+  auto const half = step.half(middle);
+  return W(2) * b * (W(1) + half.slope_less_one) / (step.shortest() * half.g) - W(2) * body.energy(M) / n;
+}
+
+/// The attitude over one step of an elliptic integrator, from the momentum before the step and its change d, in closed
+/// form. The rotation (1, c)/√(1 + |c|²) takes y' = y + d back to y: with M = y + y'
+///     c = bM + 2 d×y/|M|²
+/// for some b, the only unknown. The discrete Moser–Veselov step with constants η, of which c = αη(M/2), is exact in
+/// momentum and attitude where η depends in the right way on the first integrals (FORMULAS §3: order infinity);
+/// comparing it with the addition theorem over the step gives, with g, q, E, λ of half the step (addition_step.hpp),
+///     b = (h/4) (gE/q) (2H(M)/|M|² + ρ) / (1 + λ₁λ₃g²y₂y₂')
+/// where ρ, of size h², depends on the first integrals and h alone. It is found once, at the start, from a quadrature.
+/// That Q y is conserved does not depend on it.
+///
+/// A step that turns the body by more than a radian is made in pieces.
 template <Real T>
 class EllipticAttitude {
  public:
   EllipticAttitude(RigidBody<T> const& body, EllipticConstants<T> const& c, T const& h, Vector3<T> const& start)
-      : body_(body), constants_(c) {
-    using W = Wider<T>;
-    auto const plan = plan_series(c, start, h);
-    SnSeries<T> const series(plan.terms);
-    int const needed = nodes_needed(c, h, start);
-    GaussLegendre<T> const rule(std::min(needed, most_nodes));
-    W const scale = needed <= most_nodes ? W(h) : std::numeric_limits<W>::quiet_NaN();
-    for (auto const& node : rule.nodes()) {
-      weights_.push_back(rounded<T>(W(W(node.weight) * scale)));
-      to_node_.emplace_back(c, W(W(node.x) * W(h)), plan.halvings, series);
-    }
-  }
+      : EllipticAttitude(body, c, h, start, from_lanes<T>([&](int i) { return pieces_needed(body, h, start, i); })) {}
 
   /// q(t+h) − q(t) for the attitude q before the step.
   Quaternion<T> increment(Quaternion<T> const& q, Vector3<T> const& y, Vector3<T> const& dy) const {
-    EllipticBranch<T> const branch(constants_, y);
-    AttitudeFrame<T> const frame(branch, y);
-    return hamilton_product(q, frame.turn_less_one(dy, angle(branch, frame, y)));
+    if (most_pieces_ == 1) return hamilton_product(q, turn_less_one(step_.half(y), y, dy));
+    return in_pieces(q, y, dy);
   }
 
  private:
-  /// Δψ over the step
-  T angle(EllipticBranch<T> const& branch, AttitudeFrame<T> const& frame, Vector3<T> const& y) const {
-    T const twice_energy = T(2) * body_.energy(y), side = branch.side();
-    T const inertia = select(branch.exchanged, body_.inertia()[0], body_.inertia()[2]);
-    T psi = T(0);
-    for (std::size_t i = 0; i < weights_.size(); ++i)
-      psi = psi + weights_[i] * attitude_rate(twice_energy, frame.r, side * dn_component(i, branch, y), inertia);
-    return psi;
+  using E = Element<T>;
+
+  /// A step of thousands of revolutions has no attitude: it is NaN, and the member has failed.
+  static constexpr int most_pieces = 4000;
+
+  EllipticAttitude(RigidBody<T> const& body, EllipticConstants<T> const& c, T const& h, Vector3<T> const& start,
+                   T const& pieces)
+      : pieces_(pieces), step_(c, Wider<T>(Wider<T>(h) / Wider<T>(pieces)), start) {
+    using W = Wider<T>;
+    W const time = W(h) / W(pieces);
+    W const rho = from_lanes<W>([&](int i) {
+      return lane(pieces, i) > E(most_pieces) ? std::numeric_limits<Element<W>>::quiet_NaN()
+                                              : constant_of_lane(body, time, start, i);
+    });
+    for (int j = 0; j < 3; ++j)
+      kappa_[static_cast<std::size_t>(j)] = rounded<T>(W(W(W(1) / W(body.inertia()[j])) + rho));
+    unit_ = from_lanes<T>(
+        [&](int i) { return power_of_two_near(lane(start[0], i), lane(start[1], i), lane(start[2], i)); });
+    per_unit_ = step_.shortest() / (T(2) * unit_);
+    for (int i = 0; i < lanes<T>; ++i)
+      most_pieces_ = std::clamp(static_cast<int>(lane(pieces, i)), most_pieces_, most_pieces);
   }
 
-  /// The dn component of the momentum at node i.
-  T dn_component(std::size_t i, EllipticBranch<T> const& branch, Vector3<T> const& y) const {
-    auto const& step = to_node_[i];
-    auto const f = step(y);
-    T const y3 = f.R * y[2] - step.c2_squared() * f.w * f.P * y[0] * y[1];
-    T const y1 = f.P * y[0] - step.c1_squared() * f.w * f.R * y[1] * y[2];
-    return select(branch.exchanged, y1, y3) / f.denominator;
+  /// About 1/|y|, a power of 2: exact, and fourth powers neither overflow nor vanish.
+  static E power_of_two_near(E const& y1, E const& y2, E const& y3) {
+    using std::ldexp;
+    double const size = std::max(
+        {std::abs(static_cast<double>(y1)), std::abs(static_cast<double>(y2)), std::abs(static_cast<double>(y3))});
+    return size > 0 && std::isfinite(size) ? E(ldexp(E(1), -std::ilogb(size))) : E(1);
   }
 
-  /// A step over hundreds of periods has no attitude: it is NaN, and the member has failed.
-  static constexpr int most_nodes = 4000;
+  /// |ω| ≤ |y|/I₁
+  static E pieces_needed(RigidBody<T> const& body, T const& h, Vector3<T> const& y, int i) {
+    auto const number = [&](T const& x) { return static_cast<double>(lane(x, i)); };
+    double const length = std::hypot(number(y[0]), number(y[1]), number(y[2]));
+    double const pieces = std::ceil(std::abs(1.01 * number(h) * length / number(body.inertia()[0])));
+    return E(pieces >= 1 ? static_cast<int>(std::min(pieces, most_pieces + 1.0)) : 1);
+  }
 
-  /// |u̇| ≤ c₃ r
-  static int nodes_needed(EllipticConstants<T> const& c, T const& h, Vector3<T> const& y) {
+  static Element<Wider<T>> constant_of_lane(RigidBody<T> const& body, Wider<T> const& time, Vector3<T> const& y,
+                                            int i) {
+    using W = Element<Wider<T>>;
+    auto const of_lane = [&](Vector3<T> const& v) {
+      return Vector3<W>{W(lane(v[0], i)), W(lane(v[1], i)), W(lane(v[2], i))};
+    };
+    double const length = std::abs(static_cast<double>(lane(time, i))) *
+                          static_cast<double>(sqrt(squared_norm(of_lane(y)))) /
+                          static_cast<double>(lane(body.inertia()[0], i));
+    int const nodes = GaussLegendre<E>::nodes_needed(std::clamp(length, 1e-12, 1.0), singularity_distance);
+    return attitude_constant(RigidBody<W>(of_lane(body.inertia())), of_lane(y), W(lane(time, i)), nodes);
+  }
+
+  /// (1, c)/√(1 + |c|²) − 1 over a common denominator N = q(1 + λ₁λ₃g²y₂y₂')|M|²
+  Quaternion<T> turn_less_one(HalfStep<T> const& half, Vector3<T> const& y, Vector3<T> const& d) const {
     using math::sqrt;
-    double const length = 1.01 * std::abs(static_cast<double>(c.c3 * h * sqrt(squared_norm(y))));
-    return GaussLegendre<T>::nodes_needed(std::max(length, 1e-12), singularity_distance);
+    T const y2_after = y[1] + d[1];
+    Vector3<T> const M{unit_ * (y[0] + (y[0] + d[0])), unit_ * (y[1] + y2_after), unit_ * (y[2] + (y[2] + d[2]))};
+    auto const& lambda = step_.lambda();
+    T const q = T(1) + half.slope_less_one;
+    T const below = q + q * ((lambda[0] * half.g * y[1]) * (lambda[2] * half.g * y2_after));
+    T const weighted = kappa_[0] * squared(M[0]) + kappa_[1] * squared(M[1]) + kappa_[2] * squared(M[2]);
+    T const along = per_unit_ * half.g * half.E * weighted, across = (below + below) * squared(unit_);
+    auto const side = cross(d, y);
+    Vector3<T> const c{along * M[0] + across * side[0], along * M[1] + across * side[1],
+                       along * M[2] + across * side[2]};
+    T const n = squared_norm(M), N = select(n > T(0), below * n, T(1));
+    T const c2 = squared_norm(c), root = sqrt(squared(N) + c2), sum = root + N;
+    T const per = T(1) / (root * sum), scale = sum * per;
+    return {-(c2 * per), scale * c[0], scale * c[1], scale * c[2]};
   }
 
-  RigidBody<T> body_;
-  EllipticConstants<T> constants_;
-  std::vector<T> weights_;
-  std::vector<AdditionStep<T>> to_node_;
+  /// Rare. A lane that needs fewer pieces than another stands still at its end.
+  [[gnu::noinline]] Quaternion<T> in_pieces(Quaternion<T> q, Vector3<T> y, Vector3<T> rest) const {
+    T const nothing = -T(0);  // added to anything it leaves every bit
+    Quaternion<T> turned(nothing, nothing, nothing, nothing);
+    for (int i = 0; i < most_pieces_; ++i) {
+      auto const half = step_.half(y);
+      auto const d = select_vector<T>(T(i + 1) < pieces_, step_.increment(half, y), rest);
+      auto const turn = hamilton_product(q, turn_less_one(half, y, d));
+      for (int j = 0; j < 4; ++j) {
+        T const part = select(T(i) < pieces_, turn.coeffs()[j], nothing);
+        q.coeffs()[j] += part;
+        turned.coeffs()[j] += part;
+      }
+      y = {y[0] + d[0], y[1] + d[1], y[2] + d[2]};
+      rest = {rest[0] - d[0], rest[1] - d[1], rest[2] - d[2]};
+    }
+    return turned;
+  }
+
+  T pieces_;
+  T unit_;  ///< about 1/|y|
+  T per_unit_;
+  int most_pieces_ = 1;
+  std::array<T, 3> kappa_;  ///< 1/Iⱼ + ρ
+  AdditionStep<T> step_;
 };
 
 }  // namespace brouwer

@@ -1,7 +1,10 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <concepts>
+#include <vector>
 
 #include <brouwer/scalar/wider.hpp>
 
@@ -39,19 +42,55 @@ inline SnIntegers sn_series_integers() {
   return c;
 }
 
+/// Exact integers over (2n+1)! and over (2n)!, rounded once: the coefficients of g and of cn·dn = (v g)′.
+template <Real E>
+struct SnTable {
+  struct Term {
+    E g, slope;
+  };
+  using Rows = std::array<std::array<Term, sn_series_columns>, sn_series_rows>;
+
+  static Rows const& rows() {
+    static Rows const rounded_once = [] {
+      using W = Wider<E>;
+      auto const integers = sn_series_integers();
+      Rows t{};
+      W factorial = 1;  // (2n)!
+      for (unsigned n = 0; n < sn_series_rows; ++n) {
+        if (n > 0) factorial *= 2 * n;
+        for (unsigned j = 0; 2 * j <= n; ++j) {
+          W const slope = W(integers[n][j]) / factorial;
+          t[n][j] = {rounded<E>(W(slope / (2 * n + 1))), rounded<E>(slope)};
+        }
+        factorial *= 2 * n + 1;
+      }
+      return t;
+    }();
+    return rounded_once;
+  }
+};
+
 }  // namespace detail
 
-/// g(σ, π) = sn(v, k)/v as a power series in σ = (1 + k²) v² and π = k² v⁴: with A = v², B = k² v² it is symmetric
-/// in A and B (σ = A + B, π = AB), which is why the two branches of the elliptic solution become one.
+/// sn(v, k)/v, and cn(v, k) dn(v, k) − 1 where sn′ = cn dn.
+template <Real T>
+struct SnValues {
+  T g, slope_less_one;
+};
+
+/// g(σ, π) = sn(v, k)/v and its companion cn dn = (v g)′ as power series in σ = (1 + k²) v² and π = k² v⁴: with A = v²,
+/// B = k² v² both are symmetric in A and B (σ = A + B, π = AB), which is why the two branches of the elliptic solution
+/// become one.
 ///
-/// The coefficients are exact integers over (2n+1)!, rounded once. As many terms are summed as `largest_sigma`
-/// needs for full precision; terms beyond those are zeros for a lane of a pack that needs fewer.
+/// As many terms are summed as the largest σ needs for full precision, in each lane of a pack its own number: the
+/// coefficients of terms that only other lanes need are 0, which leaves a lane's bits alone (0·σ + c = c, σ, π ≥ 0).
+/// Only the coefficients in use are held, in the order of their use.
 template <Real T>
 class SnSeries {
  public:
   static constexpr int most_terms = detail::sn_series_rows - 1;
 
-  /// Terms after which the truncated tail is below a quarter of an ulp of g for all 0 ≤ σ ≤ largest_sigma,
+  /// Terms after which the truncated tails are below a quarter of an ulp of 1 for all 0 ≤ σ ≤ largest_sigma,
   /// 0 ≤ π ≤ σ²/4; most_terms + 1 if the table is too short: then halve the step.
   static int terms_needed(double largest_sigma) {
     double const log_goal = -(significand_bits<T> + 2) * std::log(2.0);
@@ -60,54 +99,55 @@ class SnSeries {
     return most_terms + 1;
   }
 
-  explicit SnSeries(int terms) : terms_(terms) {
-    for (int n = 0; n < terms; ++n)
-      for (int j = 0; 2 * j <= n; ++j) row(j)[n - 2 * j] = table()[at(n)][at(j)];
+  /// The same number of terms in every lane.
+  explicit SnSeries(int terms) : SnSeries([=](int) { return terms; }) {}
+
+  /// @param terms_of  lane → number of its terms
+  template <std::invocable<int> F>
+  explicit SnSeries(F terms_of) {
+    for (int i = 0; i < lanes<T>; ++i) terms_ = std::max(terms_, terms_of(i));
+    for (int j = (terms_ - 1) / 2; j >= 0; --j)
+      for (int n = terms_ - 1; n >= 2 * j; --n) {
+        auto const& term = detail::SnTable<Element<T>>::rows()[at(n)][at(j)];
+        auto const where_used = [&](Element<T> const& c) {
+          return from_lanes<T>([&](int i) { return n < terms_of(i) ? c : Element<T>(0); });
+        };
+        terms_in_use_.push_back({where_used(term.g), where_used(n > 0 ? term.slope : Element<T>(0))});
+      }
   }
 
+  /// The most of any lane.
   int terms() const { return terms_; }
 
-  /// g(σ, π); Horner in σ inside, in π outside.
-  T operator()(T const& sigma, T const& pi) const {
-    T g = T(0);
-    for (int j = (terms_ - 1) / 2; j >= 0; --j) {
-      auto const& powers = coefficients_[at(j)];
-      T inner = T(0);
-      for (int i = terms_ - 1 - 2 * j; i >= 0; --i) inner = inner * sigma + powers[at(i)];
-      g = g * pi + inner;
+  /// Horner in σ inside, in π outside.
+  SnValues<T> operator()(T const& sigma, T const& pi) const {
+    auto term = terms_in_use_.begin();
+    SnValues<T> sum{T(0), T(0)};
+    for (int count = terms_ - 2 * ((terms_ - 1) / 2); count <= terms_; count += 2) {
+      SnValues<T> inner = *term++;
+      for (int i = 1; i < count; ++i, ++term) {
+        inner.g = inner.g * sigma + term->g;
+        inner.slope_less_one = inner.slope_less_one * sigma + term->slope_less_one;
+      }
+      sum.g = sum.g * pi + inner.g;
+      sum.slope_less_one = sum.slope_less_one * pi + inner.slope_less_one;
     }
-    return g;
+    return sum;
   }
 
  private:
   static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  T* row(int j) { return coefficients_[at(j)].data(); }
 
-  using Table = std::array<std::array<T, detail::sn_series_columns>, detail::sn_series_rows>;
-
-  static Table const& table() {
-    static Table const rounded_once = [] {
-      auto const integers = detail::sn_series_integers();
-      Table t{};
-      Wider<T> factorial = 1;
-      for (int n = 0; n < detail::sn_series_rows; ++n) {
-        if (n > 0) factorial *= (2 * n) * (2 * n + 1);
-        for (int j = 0; 2 * j <= n; ++j) t[at(n)][at(j)] = rounded<T>(Wider<T>(integers[at(n)][at(j)]) / factorial);
-      }
-      return t;
-    }();
-    return rounded_once;
-  }
-
-  /// log of Σⱼ |cₙⱼ| σ^{n−2j} (σ²/4)ʲ / (2n+1)!. All cₙⱼ of one n have the same sign.
+  /// log of Σⱼ |cₙⱼ| σ^{n−2j} (σ²/4)ʲ / (2n)!. All cₙⱼ of one n have the same sign.
   static double log_term_bound(int n, double sigma) {
     double sum = 0, scale = 1;
-    for (int j = 0; 2 * j <= n; ++j, scale /= 4) sum += scale * std::abs(static_cast<double>(table()[at(n)][at(j)]));
+    for (int j = 0; 2 * j <= n; ++j, scale /= 4)
+      sum += scale * std::abs(static_cast<double>(detail::SnTable<Element<T>>::rows()[at(n)][at(j)].slope));
     return std::log(sum) + n * std::log(sigma);
   }
 
-  int terms_;
-  std::array<std::array<T, most_terms>, most_terms / 2> coefficients_{};
+  int terms_ = 1;
+  std::vector<SnValues<T>> terms_in_use_;
 };
 
 }  // namespace brouwer
