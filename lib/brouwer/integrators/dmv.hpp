@@ -23,6 +23,10 @@ namespace brouwer {
 /// these, all but the last without looking, which lets packs run side by side. Where the last one still moved them by
 /// more than rounding does, it goes on, each lane until it stands still or no longer comes closer. Where it never
 /// settles (h is too large) the increment is NaN: the member has failed.
+///
+/// m is rounded to its own ulp, and comes to rest on the side that it comes from: biased, and no smaller than the
+/// rounding of the increment. The increment is taken at m + r instead, r = y + αλmm − m, to first order in r. (Without
+/// it the energy of order 10 drifted by 8.6·10⁻¹⁹ a step at h = 0.16, and by a drift of its own in every body.)
 /// @tparam Coefficients  PerStep or PerTrajectory: when η is formed
 template <Real T, int order_, class Coefficients>
 class Dmv {
@@ -84,9 +88,13 @@ class Dmv {
     auto const& m = e.m;
     T const rotation2 = k.length2(m) * squared(e.alpha);  // |c|²
     T const alpha = T(1) + rotation2;
-    T const d1 = (alpha * k.lambda[0]) * (m[1] * m[2]), d2 = (alpha * k.lambda[1]) * (m[2] * m[0]),
-            d3 = (alpha * k.lambda[2]) * (m[0] * m[1]);
-    Vector3<T> const dy{d1 + d1, d2 + d2, d3 + d3};
+    auto const& y = s.momentum;
+    T const mu1 = alpha * k.lambda[0], mu2 = alpha * k.lambda[1], mu3 = alpha * k.lambda[2];
+    T const d1 = mu1 * (m[1] * m[2]), d2 = mu2 * (m[2] * m[0]), d3 = mu3 * (m[0] * m[1]);
+    T const r1 = (y[0] - m[0]) + d1, r2 = (y[1] - m[1]) + d2, r3 = (y[2] - m[2]) + d3;
+    T const e1 = d1 + mu1 * (m[1] * r3 + r2 * m[2]), e2 = d2 + mu2 * (m[2] * r1 + r3 * m[0]),
+            e3 = d3 + mu3 * (m[0] * r2 + r1 * m[1]);
+    Vector3<T> const dy{e1 + e1, e2 + e2, e3 + e3};
     if (!attitude_) return {dy, {T(0), T(0), T(0), T(0)}};
     return {dy, attitude_increment(s.attitude, {k.eta[0] * m[0], k.eta[1] * m[1], k.eta[2] * m[2]}, alpha, rotation2)};
   }
