@@ -15,6 +15,12 @@ struct Family {
   using In = S<T>;
 };
 
+template <int order, class Coefficients>
+struct DmvFamily {
+  template <class T>
+  using In = Dmv<T, order, Coefficients>;
+};
+
 template <class T>
 using Naive = EllipticNaive<T, OwnElliptic>;
 template <class T>
@@ -24,7 +30,44 @@ using Addition = EllipticAddition<T, OwnElliptic>;
 
 using ExactRigidBodySteppers = testing::Types<Family<Naive>, Family<ThreeConstants>, Family<Addition>,
                                               Family<EllipticBranchFree>, Family<EllipticIncrement>>;
-using RigidBodySteppers = testing::Types<Family<Naive>, Family<ThreeConstants>, Family<Addition>,
-                                         Family<EllipticBranchFree>, Family<EllipticIncrement>, Family<Dmv2>>;
+using RigidBodySteppers = testing::Types<  //
+    Family<Naive>,                         //
+    Family<ThreeConstants>,                //
+    Family<Addition>,                      //
+    Family<EllipticBranchFree>,            //
+    Family<EllipticIncrement>,             //
+    Family<Dmv2>,                          //
+    DmvFamily<4, PerStep>,                 //
+    DmvFamily<4, PerTrajectory>,           //
+    DmvFamily<6, PerStep>,                 //
+    DmvFamily<6, PerTrajectory>,           //
+    DmvFamily<8, PerStep>,                 //
+    DmvFamily<8, PerTrajectory>,           //
+    DmvFamily<10, PerStep>,                //
+    DmvFamily<10, PerTrajectory>>;
+
+// --- those of a list that run in lanes: they say so by `static constexpr bool runs_in_lanes = true` --------------------
+
+template <class F>
+concept RunsInLanes = requires {
+  requires F::template In<double>::runs_in_lanes;
+};
+
+template <class Kept, class... Families>
+struct OnlyInLanes;
+template <class... Kept>
+struct OnlyInLanes<testing::Types<Kept...>> {
+  using type = testing::Types<Kept...>;
+};
+template <class... Kept, class F, class... Rest>
+struct OnlyInLanes<testing::Types<Kept...>, F, Rest...>
+    : OnlyInLanes<std::conditional_t<RunsInLanes<F>, testing::Types<Kept..., F>, testing::Types<Kept...>>, Rest...> {};
+
+template <class List>
+struct InLanesOf;
+template <class... Families>
+struct InLanesOf<testing::Types<Families...>> : OnlyInLanes<testing::Types<>, Families...> {};
+
+using RigidBodySteppersInLanes = InLanesOf<RigidBodySteppers>::type;
 
 }  // namespace brouwer::testing_support
