@@ -20,14 +20,14 @@ namespace brouwer {
 /// It is solved by fixed-point iteration from m = y, α = 1. A turn is twice the line for α and then twice those for m,
 /// in Gauss–Seidel order: m comes closer by |αλm|² in a turn, α by (2α Σ (ηm)²)².
 ///
-/// How many turns settle m and α to 1/256 ulp is found once, at the trajectory's start, in wider arithmetic. A step makes
-/// these, all but the last without looking, which lets packs run side by side. Where the last one still moved them by
-/// more than rounding does, it goes on, each lane until it stands still or no longer comes closer. Where it never
-/// settles (h is too large) the increment is NaN: the member has failed.
+/// How many turns settle m to 1/8 ulp is found once, at the trajectory's start, in wider arithmetic. A step makes these,
+/// all but the last without looking, which lets packs run side by side. Where the last line still moved m by more than
+/// rounding does, it goes on, each lane until it stands still or no longer comes closer. Where it never settles (h is too
+/// large) the increment is NaN: the member has failed.
 ///
 /// m is rounded to its own ulp, and comes to rest on the side that it comes from: biased, and no smaller than the
-/// rounding of the increment. The increment is taken at m + r instead, r = y + αλmm − m, to first order in r. (Without
-/// it the energy of order 10 drifted by 8.6·10⁻¹⁹ a step at h = 0.16, and by a drift of its own in every body.)
+/// rounding of the increment. The increment is taken at m + r instead, r = y + αλmm − m, to first order in r, which also
+/// takes up what the iteration has left, but for a factor |αλm|. (Without it the energy of order 10 drifted by 8.6·10⁻¹⁹ a step at h = 0.16, and by a drift of its own in every body.)
 /// @tparam Coefficients  PerStep or PerTrajectory: when η is formed
 template <Real T, int order_, class Coefficients>
 class Dmv {
@@ -42,10 +42,12 @@ class Dmv {
   explicit Dmv(Setup<System> const& setup)
       : attitude_(setup.attitude), inertia_(setup.system, setup.step), constants_(inertia_(setup.start.momentum)) {
     using math::sqrt;
-    length_ = sqrt(squared_norm(setup.start.momentum));
-    tolerance_ = T(2) * epsilon<T>() * length_;
-    auto const needed = turns_needed(setup.start.momentum);
-    turns_ = from_lanes<T>([&](int i) { return Element<T>(needed[static_cast<std::size_t>(i)]); });
+    T const rest = T(16) * epsilon<T>() * sqrt(squared_norm(setup.start.momentum));
+    auto needed = turns_needed(setup.start.momentum);
+    // where it never settles it fails at the first look
+    tolerance_ = from_lanes<T>([&](int i) { return needed[at(i)] > 0 ? Element<T>(lane(rest, i)) : Element<T>(-1); });
+    for (int& turns : needed) turns = std::max(turns, 1);
+    turns_ = from_lanes<T>([&](int i) { return Element<T>(needed[at(i)]); });
     fewest_turns_ = *std::min_element(needed.begin(), needed.end());
     most_turns_ = *std::max_element(needed.begin(), needed.end());
   }
@@ -65,13 +67,13 @@ class Dmv {
   }
 
   int blind_turns() const { return fewest_turns_ - 1; }
-  void turn(State const& s, Equation& e) const { turn(s.momentum, length_, constants_of(e), e); }
+  void turn(State const& s, Equation& e) const { turn(s.momentum, constants_of(e), e); }
 
   void settle(State const& s, Equation& e, int made) const {
     auto const& k = constants_of(e);
     T change{};
     if (made + 1 == most_turns_) {
-      change = turn(s.momentum, length_, k, e);
+      change = turn(s.momentum, k, e);
     } else {
       for (int i = made; i < most_turns_; ++i) {
         auto const own = T(i) < turns_;
@@ -107,6 +109,7 @@ class Dmv {
 
  private:
   static constexpr bool per_step = std::same_as<Coefficients, PerStep>;
+  static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   DmvConstants<T> const& constants_of(Equation const& e) const {
     if constexpr (per_step)
@@ -116,9 +119,9 @@ class Dmv {
   }
 
   /// One turn of whatever has m and alpha.
-  /// @return by how much the last lines moved m, and α times |y|: of a ball, or near an axis, α alone has to settle
+  /// @return by how much the last line moved m
   template <class U, class Iterate>
-  static U turn(Vector3<U> const& y, U const& length, DmvConstants<U> const& k, Iterate& e) {
+  static U turn(Vector3<U> const& y, DmvConstants<U> const& k, Iterate& e) {
     U const S = k.length2(e.m), once = U(1) + S * squared(e.alpha), alpha = U(1) + S * squared(once);
     U const mu1 = alpha * k.lambda[0], mu2 = alpha * k.lambda[1], mu3 = alpha * k.lambda[2];
     U const a1 = y[0] + mu1 * (e.m[1] * e.m[2]);
@@ -131,7 +134,7 @@ class Dmv {
     e.m[1] = b2;
     e.m[2] = b3;
     e.alpha = alpha;
-    return moved(length, alpha, once, e.m, {a1, a2, a3});
+    return distance(e.m, {a1, a2, a3});
   }
 
   template <class U>
@@ -140,16 +143,9 @@ class Dmv {
     return larger(larger(U(abs(U(a[0] - b[0]))), U(abs(U(a[1] - b[1])))), U(abs(U(a[2] - b[2]))));
   }
 
-  template <class U>
-  static U moved(U const& length, U const& alpha, U const& alpha_before, Vector3<U> const& m,
-                 Vector3<U> const& before) {
-    using math::abs;
-    return larger(U(length * abs(U(alpha - alpha_before))), distance(m, before));  // in this order NaN of m prevails
-  }
-
-  T turn_where(Mask<T> const& mask, Vector3<T> const& y, DmvConstants<T> const& k, Equation& e) const {
+  static T turn_where(Mask<T> const& mask, Vector3<T> const& y, DmvConstants<T> const& k, Equation& e) {
     Equation next = e;
-    T const change = turn(y, length_, k, next);
+    T const change = turn(y, k, next);
     e.m = select_vector<T>(mask, next.m, e.m);
     e.alpha = select(mask, next.alpha, e.alpha);
     return change;
@@ -158,38 +154,40 @@ class Dmv {
   /// Rare: kept out of the loop over steps. Rounding may keep m moving to and fro by a few ulp: that is settled, too.
   [[gnu::noinline]] void go_on(Mask<T> active, T change, Vector3<T> const& y, DmvConstants<T> const& k,
                                Equation& e) const {
-    T const to_and_fro = T(4) * tolerance_;
     for (int i = 0; any(active) && i < turn_limit; ++i) {
       T const before = change;
       change = select(active, turn_where(active, y, k, e), change);
-      active = both(active, both(change > T(0), either(change<before, change> to_and_fro)));
+      active = both(active, both(change > T(0), either(change<before, change> tolerance_)));
     }
-    e.alpha = select(change <= to_and_fro, e.alpha, T(std::numeric_limits<T>::quiet_NaN()));
+    e.alpha = select(change <= tolerance_, e.alpha, T(std::numeric_limits<T>::quiet_NaN()));
   }
 
-  /// Turns from y until the next one would move m by less than 1/256 ulp of |y|, lane by lane; at least one. One where
-  /// it never settles: such a member is to fail soon.
+  /// Turns from y after which m is settled to 1/8 ulp of |y|, and α to what that is worth (of a ball, α alone moves), and
+  /// the last line no longer moved m by more than a quarter of what a look accepts; lane by lane; 0 where it never is.
   std::array<int, lanes<T>> turns_needed(Vector3<T> const& y) const {
     using W = Wider<T>;
+    using math::abs;
     using math::sqrt;
-    auto const wide = [](Vector3<T> const& v) { return Vector3<W>{W(v[0]), W(v[1]), W(v[2])}; };
+    Vector3<W> const wide_y{W(y[0]), W(y[1]), W(y[2])};
     struct {
       Vector3<W> m;
       W alpha;
-    } iterate{wide(y), W(1)};
-    DmvConstants<W> const k(wide(constants_.eta));
-    W const length = sqrt(squared_norm(iterate.m)), goal = W(epsilon<T>()) / W(256) * length;
+    } iterate{wide_y, W(1)};
+    DmvConstants<W> const k(Vector3<W>{W(constants_.eta[0]), W(constants_.eta[1]), W(constants_.eta[2])});
+    W const length = sqrt(squared_norm(wide_y)), ulp = W(epsilon<T>()) * length;
     std::array<int, lanes<T>> needed{};
-    needed.fill(1);
-    auto active = W(0) < W(1);
+    auto active = W(0) < W(1), moving = active;
     for (int i = 0; i < turn_limit && any(active); ++i) {
       auto const before = iterate;
-      turn(wide(y), length, k, iterate);
-      active = both(active, moved(length, iterate.alpha, before.alpha, iterate.m, before.m) > goal);
-      for (int l = 0; i > 0 && l < lanes<T>; ++l) needed[static_cast<std::size_t>(l)] += is_set(active, l) ? 1 : 0;
+      W const last = turn(wide_y, k, iterate);
+      W const off =
+          larger(W(length * k.length2(before.m) * abs(W(iterate.alpha - before.alpha))), distance(iterate.m, before.m));
+      active = both(active, either(moving, negated(off <= ulp / W(8))));
+      moving = negated(last <= W(4) * ulp);
+      for (int l = 0; l < lanes<T>; ++l) needed[at(l)] += is_set(active, l) ? 1 : 0;
     }
     for (int l = 0; l < lanes<T>; ++l)
-      if (is_set(active, l)) needed[static_cast<std::size_t>(l)] = 1;
+      if (is_set(active, l)) needed[at(l)] = 0;
     return needed;
   }
 
@@ -204,7 +202,7 @@ class Dmv {
 
   bool attitude_;
   int fewest_turns_, most_turns_;  ///< over the lanes
-  T turns_, length_, tolerance_;
+  T turns_, tolerance_;
   DmvModifiedInertia<T, order> inertia_;
   DmvConstants<T> constants_;
 };
