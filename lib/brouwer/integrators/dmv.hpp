@@ -26,7 +26,9 @@ namespace brouwer {
 ///
 /// m is rounded to its own ulp, and comes to rest on the side that it comes from: biased, and no smaller than the
 /// rounding of the increment. The increment is taken at m + r instead, r = y + αλmm − m, to first order in r. (Without
-/// it the energy of order 10 drifted by 8.6·10⁻¹⁹ a step at h = 0.16, and by a drift of its own in every body.)
+/// it the energy of order 10 drifted by 8.6·10⁻¹⁹ a step at h = 0.16, and by a drift of its own in every body. What
+/// remains in double with compensation, the standard test, 2·10⁸ steps: 5·10⁻²¹ at h = 0.16, none seen (7·10⁻²³ ± 8·10⁻²³)
+/// at 0.05.)
 /// @tparam Coefficients  PerStep or PerTrajectory: when η is formed
 template <Real T, int order_, class Coefficients>
 class Dmv {
