@@ -32,22 +32,23 @@ void for_each_arithmetic(Visit visit) {
   visit(NamedArithmetic<Mpfr<512>>{"mpfr-512", "MPFR, every operation correctly rounded"});
 }
 
-/// The packs of an arithmetic in registers of so many bytes, or T where it has none.
+/// The packs of an arithmetic in two registers of so many bytes, each of which fills the time in which the other waits for
+/// results; or T where it has none.
 template <class T, int bytes>
 struct PackOf {
   using type = T;
 };
 template <int bytes>
 struct PackOf<float, bytes> {
-  using type = Pack<float, bytes / 4>;
+  using type = Pack<float, 2 * bytes / 4>;
 };
 template <int bytes>
 struct PackOf<double, bytes> {
-  using type = Pack<double, bytes / 8>;
+  using type = Pack<double, 2 * bytes / 8>;
 };
 template <int bytes>
 struct PackOf<DoubleDouble<double>, bytes> {
-  using type = DoubleDouble<Pack<double, bytes / 8>>;
+  using type = DoubleDouble<Pack<double, 2 * bytes / 8>>;
 };
 
 /// Calls visit(NamedArithmetic<T>) for the arithmetic of that name; nothing happens where there is none.

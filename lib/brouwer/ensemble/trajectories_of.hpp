@@ -106,7 +106,7 @@ class TrajectoriesOf final : public Trajectories {
   static constexpr std::size_t lane_count = lanes<T>;
   /// Enough for instructions of one pack to fill the latencies of another, and for all to stay in 48 KB: measured in
   /// docs/performance.md.
-  static constexpr std::size_t packs_a_block = 8;
+  static constexpr std::size_t packs_a_block = 4;
   static constexpr bool compensated = !std::same_as<Y, typename S::State>;
 
   static int lane_of(std::size_t member) { return static_cast<int>(member % lane_count); }

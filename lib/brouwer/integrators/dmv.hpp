@@ -27,7 +27,8 @@ namespace brouwer {
 ///
 /// m is rounded to its own ulp, and comes to rest on the side that it comes from: biased, and no smaller than the
 /// rounding of the increment. The increment is taken at m + r instead, r = y + αλmm − m, to first order in r, which also
-/// takes up what the iteration has left, but for a factor |αλm|. (Without it the energy of order 10 drifted by 8.6·10⁻¹⁹ a step at h = 0.16, and by a drift of its own in every body.)
+/// takes up what the iteration has left, but for a factor |αλm|. (Without it the energy of order 10 drifted by 8.6·10⁻¹⁹
+/// a step at h = 0.16, and by a drift of its own in every body.)
 /// @tparam Coefficients  PerStep or PerTrajectory: when η is formed
 template <Real T, int order_, class Coefficients>
 class Dmv {

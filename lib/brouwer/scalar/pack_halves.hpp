@@ -143,4 +143,17 @@ requires detail::in_halves<T, N> Pack<T, N> fused_subtract(Pack<T, N> const& a, 
   return {fused_subtract(a.first(), b.first(), c.first()), fused_subtract(a.second(), b.second(), c.second())};
 }
 
+template <class T, int N>
+requires detail::in_halves<T, N> Pack<T, N> larger(Pack<T, N> const& a, Pack<T, N> const& b) {
+  return {larger(a.first(), b.first()), larger(a.second(), b.second())};
+}
+template <class T, int N>
+requires detail::in_halves<T, N> Pack<T, N> smaller(Pack<T, N> const& a, Pack<T, N> const& b) {
+  return {smaller(a.first(), b.first()), smaller(a.second(), b.second())};
+}
+template <class T, int N>
+requires detail::in_halves<T, N> Pack<T, N> copysign(Pack<T, N> const& a, Pack<T, N> const& b) {
+  return {copysign(a.first(), b.first()), copysign(a.second(), b.second())};
+}
+
 }  // namespace brouwer
