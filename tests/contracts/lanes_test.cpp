@@ -163,10 +163,10 @@ TYPED_TEST(StepperInLanes,
     auto y = m.start;
     advance(step, y, steps);
     if (std::isnan(y.momentum[0])) ++failed;
-    if constexpr (IterativeStepper<S>) turns.insert(step.blind_turns());
+    if constexpr (IterativeStep<S>) turns.insert(step.blind_turns());
   }
   EXPECT_EQ(failed, 3);
-  if constexpr (IterativeStepper<S>) {
+  if constexpr (IterativeStep<S>) {
     EXPECT_GE(turns.size(), 5U);
   }
 }

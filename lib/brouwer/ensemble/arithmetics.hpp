@@ -19,17 +19,43 @@ struct NamedArithmetic {
   char const* summary;
 };
 
-/// Calls visit(NamedArithmetic<T>) for every arithmetic of the catalogue: the table of scalars, written once.
-template <class Visit>
-void for_each_arithmetic(Visit visit) {
-  visit(NamedArithmetic<float>{"float", "IEEE binary32"});
-  visit(NamedArithmetic<double>{"double", "IEEE binary64"});
-  visit(NamedArithmetic<long double>{"long-double", "x87 extended: 80 bits with a significand of 64"});
-  visit(NamedArithmetic<DoubleDouble<double>>{"double-double", "unevaluated sum of two doubles"});
-  visit(NamedArithmetic<Float128>{"float128", "IEEE binary128 in software (libquadmath)"});
-  visit(NamedArithmetic<Mpfr<128>>{"mpfr-128", "MPFR, every operation correctly rounded"});
-  visit(NamedArithmetic<Mpfr<256>>{"mpfr-256", "MPFR, every operation correctly rounded"});
-  visit(NamedArithmetic<Mpfr<512>>{"mpfr-512", "MPFR, every operation correctly rounded"});
+// Calls visit(NamedArithmetic<T>) for every arithmetic of the catalogue: the table of scalars, written once. In two
+// parts, because each is compiled by itself: those that the processor computes, and those that a library does.
+
+struct HardwareArithmetics {
+  template <class Visit>
+  static void for_each(Visit visit) {
+    visit(NamedArithmetic<float>{"float", "IEEE binary32"});
+    visit(NamedArithmetic<double>{"double", "IEEE binary64"});
+    visit(NamedArithmetic<long double>{"long-double", "x87 extended: 80 bits with a significand of 64"});
+    visit(NamedArithmetic<DoubleDouble<double>>{"double-double", "unevaluated sum of two doubles"});
+  }
+};
+
+struct SoftwareArithmetics {
+  template <class Visit>
+  static void for_each(Visit visit) {
+    visit(NamedArithmetic<Float128>{"float128", "IEEE binary128 in software (libquadmath)"});
+    visit(NamedArithmetic<Mpfr<128>>{"mpfr-128", "MPFR, every operation correctly rounded"});
+    visit(NamedArithmetic<Mpfr<256>>{"mpfr-256", "MPFR, every operation correctly rounded"});
+    visit(NamedArithmetic<Mpfr<512>>{"mpfr-512", "MPFR, every operation correctly rounded"});
+  }
+};
+
+struct AllArithmetics {
+  template <class Visit>
+  static void for_each(Visit visit) {
+    HardwareArithmetics::for_each(visit);
+    SoftwareArithmetics::for_each(visit);
+  }
+};
+
+/// Calls visit(NamedArithmetic<T>) for the arithmetic of that name; nothing happens where there is none.
+template <class Arithmetics = AllArithmetics, class Visit>
+void for_arithmetic(std::string const& name, Visit visit) {
+  Arithmetics::for_each([&](auto arithmetic) {
+    if (name == arithmetic.name) visit(arithmetic);
+  });
 }
 
 /// The packs of an arithmetic in two registers of so many bytes, each of which fills the time in which the other waits for
@@ -50,13 +76,5 @@ template <int bytes>
 struct PackOf<DoubleDouble<double>, bytes> {
   using type = DoubleDouble<Pack<double, 2 * bytes / 8>>;
 };
-
-/// Calls visit(NamedArithmetic<T>) for the arithmetic of that name; nothing happens where there is none.
-template <class Visit>
-void for_arithmetic(std::string const& name, Visit visit) {
-  for_each_arithmetic([&](auto arithmetic) {
-    if (name == arithmetic.name) visit(arithmetic);
-  });
-}
 
 }  // namespace brouwer

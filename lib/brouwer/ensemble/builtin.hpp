@@ -7,15 +7,20 @@ namespace brouwer {
 
 void add_elliptic_methods(Catalogue& catalogue);
 void add_dmv_methods(Catalogue& catalogue);
+/// Adds the arithmetics of libraries to those entries.
+void add_elliptic_software(Catalogue& catalogue);
+void add_dmv_software(Catalogue& catalogue);
 
 }  // namespace brouwer
 
-// The same in packs, once for each instruction set beyond the one that all else is compiled for. Each is an object that
+// The same in packs, once for each instruction set. Each is an object that
 // shows this one symbol and keeps everything else to itself (CMakeLists.txt, add_packs), so that no function that needs
 // the instructions can be taken for its namesake elsewhere. Only to be called where the processor has them.
 #define BROUWER_PACKS_NAME(family, set) brouwer_add_##family##_packs_##set
 #define BROUWER_PACKS(family, set) extern "C" void BROUWER_PACKS_NAME(family, set)(brouwer::Catalogue & catalogue)
+BROUWER_PACKS(elliptic, sse2);
 BROUWER_PACKS(elliptic, avx2);
 BROUWER_PACKS(elliptic, avx512);
+BROUWER_PACKS(dmv, sse2);
 BROUWER_PACKS(dmv, avx2);
 BROUWER_PACKS(dmv, avx512);

@@ -5,7 +5,8 @@ namespace brouwer {
 
 void add_elliptic_methods(Catalogue& catalogue) {
   for_each_elliptic_method([&]<class Family>(Family, MethodText const& text) {
-    catalogue.methods.push_back(method_of<Family>(text));
+    catalogue.methods.push_back(described<Family>(text));
+    add_numbers<Family, HardwareArithmetics>(catalogue.methods.back());
   });
 }
 

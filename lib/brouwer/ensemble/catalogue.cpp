@@ -26,7 +26,7 @@ Entry const& find(std::vector<Entry> const& entries, std::string const& what, st
 
 std::vector<ArithmeticEntry> arithmetic_entries() {
   std::vector<ArithmeticEntry> entries;
-  for_each_arithmetic([&]<class T>(NamedArithmetic<T> arithmetic) {
+  AllArithmetics::for_each([&]<class T>(NamedArithmetic<T> arithmetic) {
     entries.push_back({arithmetic.name, significand_bits<T>, arithmetic.summary});
   });
   return entries;
@@ -85,8 +85,12 @@ Catalogue builtin_catalogue() {
   catalogue.arithmetics = arithmetic_entries();
   catalogue.systems.push_back(describe_rigid_body());
   add_elliptic_methods(catalogue);
+  add_elliptic_software(catalogue);
   add_dmv_methods(catalogue);
-#if defined(BROUWER_HAS_WIDE_PACKS)
+  add_dmv_software(catalogue);
+  brouwer_add_elliptic_packs_sse2(catalogue);
+  brouwer_add_dmv_packs_sse2(catalogue);
+#if defined(__x86_64__)
   if (widest_instruction_set() >= InstructionSet::avx2) {
     brouwer_add_elliptic_packs_avx2(catalogue);
     brouwer_add_dmv_packs_avx2(catalogue);

@@ -13,16 +13,13 @@
 
 namespace brouwer {
 
-/// Turns names into running trajectories; nothing where a combination of names does not exist.
-using TrajectoriesMaker = std::function<std::unique_ptr<Trajectories>(TrajectoryRequest const&)>;
-
-/// The same with a member in each lane of a pack.
-struct LaneMaker {
-  InstructionSet set;
-  TrajectoriesMaker begin;
+/// Turns names into running trajectories; gives nothing where it does not know the combination.
+struct TrajectoriesMaker {
+  InstructionSet set = InstructionSet::none;  ///< none: one number a scalar; else with a member in each lane of a pack
+  std::function<std::unique_ptr<Trajectories>(TrajectoryRequest const&)> begin;
 };
 
-/// A method as data, and the one function that turns names into a running trajectory.
+/// A method as data, and what turns names into running trajectories.
 struct MethodEntry {
   std::string name;                     ///< elliptic-naive
   std::string system;                   ///< rigid_body
@@ -33,9 +30,8 @@ struct MethodEntry {
   bool uses_special_functions = false;  ///< the variants own, gsl, boost apply
   bool uses_coefficients = false;       ///< modified coefficients, per step or per trajectory
   bool uses_libm = false;               ///< sin, cos, atan …: bits depend on the machine's libm
-  bool runs_in_lanes = false;     ///< has no branch on data that cannot be masked: packs of float, double, double-double
-  TrajectoriesMaker begin;        ///< one number a scalar; every arithmetic of the catalogue
-  std::vector<LaneMaker> lanes;   ///< the same in packs; every instruction set that was compiled
+  bool runs_in_lanes = false;  ///< has no branch on data that cannot be masked: packs of float, double, double-double
+  std::vector<TrajectoriesMaker> makers;
 };
 
 struct ArithmeticEntry {

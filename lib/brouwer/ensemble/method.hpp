@@ -85,10 +85,10 @@ concept RunsInLanes = requires {
   requires S::runs_in_lanes;
 };
 
-template <class Family>
+template <class Family, class Arithmetics>
 std::unique_ptr<Trajectories> begin_numbers(TrajectoryRequest const& request) {
   std::unique_ptr<Trajectories> made;
-  for_arithmetic(request.arithmetic, [&]<class T>(NamedArithmetic<T>) {
+  for_arithmetic<Arithmetics>(request.arithmetic, [&]<class T>(NamedArithmetic<T>) {
     Family::template choose<T>(request, [&]<class S>(std::type_identity<S>) { made = begin_trajectories<S>(request); });
   });
   return made;
@@ -98,26 +98,33 @@ std::unique_ptr<Trajectories> begin_numbers(TrajectoryRequest const& request) {
 template <class Family>
 std::unique_ptr<Trajectories> begin_packs(TrajectoryRequest const& request) {
   std::unique_ptr<Trajectories> made;
-  for_arithmetic(request.arithmetic, [&]<class T>(NamedArithmetic<T>) {
+  for_arithmetic<HardwareArithmetics>(request.arithmetic, [&]<class T>(NamedArithmetic<T>) {
     using P = typename PackOf<T, native_bytes>::type;
-    if constexpr (lanes<P> > 1)
+    if constexpr (lanes < P >> 1)
       Family::template choose<P>(request,
                                  [&]<class S>(std::type_identity<S>) { made = begin_trajectories<S>(request); });
   });
   return made;
 }
 
-/// Adds the packs of this translation unit to a method's entry.
+/// Adds some arithmetics, number by number, to a method's entry.
+template <class Family, class Arithmetics>
+void add_numbers(MethodEntry& entry) {
+  entry.makers.push_back({InstructionSet::none, begin_numbers<Family, Arithmetics>});
+}
+
+/// Adds the packs of this translation unit.
 template <class Family>
 void add_packs(MethodEntry& entry) {
   if constexpr (RunsInLanes<typename Family::OfDouble>)
-    entry.lanes.push_back({native_instruction_set, begin_packs<Family>});
+    entry.makers.push_back({native_instruction_set, begin_packs<Family>});
 }
 
 // --- entries of the catalogue -----------------------------------------------------------------------------------------
 
+/// Without makers.
 template <class Family>
-MethodEntry method_of(MethodText const& text) {
+MethodEntry described(MethodText const& text) {
   using S = typename Family::OfDouble;
   MethodEntry entry;
   entry.name = text.name;
@@ -126,10 +133,17 @@ MethodEntry method_of(MethodText const& text) {
   entry.source = text.source;
   entry.uses_libm = text.uses_libm;
   entry.order = S::order;
-  entry.compensable = IncrementStepper<S>;
+  entry.compensable = IncrementStep<S>;
   entry.runs_in_lanes = RunsInLanes<S>;
   Family::describe(entry);
-  entry.begin = begin_numbers<Family>;
+  return entry;
+}
+
+/// With everything that this translation unit can make.
+template <class Family>
+MethodEntry method_of(MethodText const& text) {
+  MethodEntry entry = described<Family>(text);
+  add_numbers<Family, AllArithmetics>(entry);
   add_packs<Family>(entry);
   return entry;
 }

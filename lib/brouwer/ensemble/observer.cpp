@@ -49,7 +49,8 @@ void Observer::observe(Trajectories const& trajectories, std::size_t sample) {
   integral_errors_.resize(trajectories.members() * integral_count_);
   trajectories.first_integral_errors(integral_errors_);
   for (std::size_t member = 0; member < trajectories.members(); ++member)
-    store(integrals_, std::span(integral_errors_).subspan(member * integral_count_, integral_count_), 0, member, sample);
+    store(integrals_, std::span(integral_errors_).subspan(member * integral_count_, integral_count_), 0, member,
+          sample);
 }
 
 void Observer::observe_state(Trajectories const& trajectories, std::size_t member, std::span<Widest const> reference,

@@ -15,9 +15,9 @@ bool needs_reference(Study const& study, Catalogue const& catalogue);
 
 /// How well a double-double reference stands in for one in mpfr-256.
 struct ReferenceCheck {
-  double worst = 0;              ///< largest (double-double − mpfr-256) / (working arithmetic − mpfr-256) of a state
-  std::int64_t steps = 0;        ///< over how many steps
-  std::int64_t members = 0;      ///< of how many members
+  double worst = 0;          ///< largest (double-double − mpfr-256) / (working arithmetic − mpfr-256) of a state
+  std::int64_t steps = 0;    ///< over how many steps
+  std::int64_t members = 0;  ///< of how many members
   static constexpr double limit = 1e-6;
   bool passed() const { return worst <= limit; }
 };

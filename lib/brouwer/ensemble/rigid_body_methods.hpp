@@ -25,8 +25,8 @@ void for_each_elliptic_method(Visit visit) {
   visit(OverFunctions<EllipticAddition>{},
         MethodText{"elliptic-addition", "rigid_body", "three constants, step by the addition theorem", vilmart, libm});
   visit(Plain<EllipticBranchFree>{},
-        MethodText{"elliptic-branch-free", "rigid_body",
-                   "addition theorem without modulus, sign or branch, new values", own, libm});
+        MethodText{"elliptic-branch-free", "rigid_body", "addition theorem without modulus, sign or branch, new values",
+                   own, libm});
   visit(Plain<EllipticIncrement>{},
         MethodText{"elliptic-increment", "rigid_body", "the same as increments, free of cancellation", own, libm});
 }

@@ -18,8 +18,8 @@ struct Progress {
 };
 
 struct RunOptions {
-  int threads = 0;                          ///< 0: all that this process may use
-  std::atomic<bool> const* stop = nullptr;  ///< set by a signal handler: workers leave, finished units stay
+  int threads = 0;                                   ///< 0: all that this process may use
+  std::atomic<bool> const* stop = nullptr;           ///< set by a signal handler: workers leave, finished units stay
   InstructionSet widest = widest_instruction_set();  ///< of packs; no influence on the numbers
 };
 

@@ -80,11 +80,13 @@ Start start_of(SystemDescription const& system, FieldValues const& values) {
   return start;
 }
 
-LaneMaker const* widest_packs(MethodEntry const& method, InstructionSet widest) {
-  LaneMaker const* best = nullptr;
-  for (auto const& packs : method.lanes)
-    if (packs.set <= widest && (best == nullptr || packs.set > best->set)) best = &packs;
-  return best;
+/// A method's makers for packs up to `widest`, from wide to narrow, then for numbers.
+std::vector<TrajectoriesMaker const*> makers_up_to(MethodEntry const& method, InstructionSet widest) {
+  std::vector<TrajectoriesMaker const*> makers;
+  for (auto const& maker : method.makers)
+    if (maker.set <= widest) makers.push_back(&maker);
+  std::stable_sort(makers.begin(), makers.end(), [](auto const* a, auto const* b) { return a->set > b->set; });
+  return makers;
 }
 
 }  // namespace
@@ -118,16 +120,13 @@ Start rounded_to(std::string const& arithmetic, Start start) {
 std::unique_ptr<Trajectories> begin_trajectories(Catalogue const& catalogue, CellLabels const& cell,
                                                  std::vector<Start> const& starts, bool attitude,
                                                  InstructionSet widest) {
-  TrajectoryRequest const request{cell.arithmetic, cell.special_functions, cell.coefficients, cell.compensation,
-                                  attitude,        cell.step,              starts};
+  TrajectoryRequest const request{
+      cell.arithmetic, cell.special_functions, cell.coefficients, cell.compensation, attitude, cell.step, starts};
   auto const& method = catalogue.method(cell.system, cell.method);
-  std::unique_ptr<Trajectories> made;
-  if (LaneMaker const* packs = starts.size() > 1 ? widest_packs(method, widest) : nullptr) made = packs->begin(request);
-  if (!made) made = method.begin(request);
-  if (!made)
-    throw InputError(fmt::format("{} does not exist in {} with special functions '{}' and coefficients '{}'",
-                                 cell.method, cell.arithmetic, cell.special_functions, cell.coefficients));
-  return made;
+  for (auto const* maker : makers_up_to(method, starts.size() > 1 ? widest : InstructionSet::none))
+    if (auto made = maker->begin(request)) return made;
+  throw InputError(fmt::format("{} does not exist in {} with special functions '{}' and coefficients '{}'", cell.method,
+                               cell.arithmetic, cell.special_functions, cell.coefficients));
 }
 
 std::unique_ptr<Trajectories> begin_trajectory(Catalogue const& catalogue, CellLabels const& cell, Start const& start,

@@ -12,13 +12,13 @@
 
 namespace brouwer {
 
-/// Trajectories with their types: the stepper S over the scalar T, and Y, its state or its compensated state. Where T is
-/// a pack, member i is lane i mod N of pack i div N; the lanes of the last pack that have no member repeat the last one.
-template <Stepper S, class Y>
-class TrajectoriesOf final : public Trajectories {
+/// Members of a system over the scalar T: everything about them but their stepper. Where T is a pack, member i is lane
+/// i mod N of pack i div N; the lanes of the last pack that have no member repeat the last one.
+template <class System>
+class TrajectoriesIn : public Trajectories {
  public:
-  using T = typename S::Scalar;
-  using System = typename S::System;
+  using T = typename System::Scalar;
+  using State = typename System::State;
   using E = Element<T>;  ///< one member's arithmetic, and W what judges it
   using W = Wider<E>;
   using O = Observing<T>;  ///< what observes a pack
@@ -27,53 +27,24 @@ class TrajectoriesOf final : public Trajectories {
   using ObservingSystem = typename System::template In<O>;
   using ObservedState = typename ObservingSystem::State;
 
-  explicit TrajectoriesOf(TrajectoryRequest const& request) : step_(static_cast<E>(request.step)), starts_(request.starts) {
-    std::size_t const packs = (starts_.size() + lane_count - 1) / lane_count;
-    steppers_.reserve(packs);
-    now_.reserve(packs);
-    origins_.reserve(packs);
-    for (std::size_t p = 0; p < packs; ++p) {
-      Setup<System> const setup{System(std::span<T const>(gathered(p, &Start::parameters))), T(step_),
-                                System::State::from_components(gathered(p, &Start::state)), request.attitude};
-      steppers_.emplace_back(setup);
-      now_.emplace_back(setup.start);
-      origins_.emplace_back(setup.system.template in<O>(), observed(now_.back()));
-    }
-    flows_.resize(starts_.size());
-  }
+  std::size_t members() const final { return starts_.size(); }
 
-  std::size_t members() const override { return starts_.size(); }
-
-  /// Numbers advance member by member, packs in blocks that stay in the first-level cache.
-  void advance(std::int64_t steps) override {
-    if constexpr (lane_count == 1) {
-      for (std::size_t i = 0; i < now_.size(); ++i) brouwer::advance(steppers_[i], now_[i], steps);
-    } else {
-      std::span<S const> const steppers(steppers_);
-      std::span<Y> const states(now_);
-      for (std::size_t p = 0; p < states.size(); p += packs_a_block) {
-        std::size_t const packs = std::min(packs_a_block, states.size() - p);
-        advance_block(steppers.subspan(p, packs), states.subspan(p, packs), steps);
-      }
-    }
-  }
-
-  void state(std::size_t member, std::span<Widest> components) const override {
+  void state(std::size_t member, std::span<Widest> components) const final {
     auto next = components.begin();
     visit_member<Widest>(member, [&next](Widest const& v) { *next++ = v; });
   }
 
-  void first_integrals(std::size_t member, std::span<Widest> values) const override {
+  void first_integrals(std::size_t member, std::span<Widest> values) const final {
     require_room(values.size(), System::first_integral_count);
     auto const integrals = wide_system(member).first_integrals(wide_state(member));
     std::transform(integrals.begin(), integrals.end(), values.begin(), [](W const& v) { return Widest(v); });
   }
 
-  void first_integral_errors(std::span<double> errors) const override {
+  void first_integral_errors(std::span<double> errors) const final {
     constexpr std::size_t count = System::first_integral_count;
     require_room(errors.size(), count * starts_.size());
-    for (std::size_t p = 0; p < now_.size(); ++p) {
-      auto const integrals = origins_[p].system.first_integrals(observed(now_[p]));
+    for (std::size_t p = 0; p < packs(); ++p) {
+      auto const integrals = origins_[p].system.first_integrals(observed(now(p)));
       for (std::size_t k = 0; k < count; ++k) {
         O const error = (integrals[k] - origins_[p].integrals[k]) / origins_[p].scales[k];
         for (std::size_t i = p * lane_count; i < std::min((p + 1) * lane_count, starts_.size()); ++i)
@@ -82,17 +53,16 @@ class TrajectoriesOf final : public Trajectories {
     }
   }
 
-  void state_errors(std::size_t member, std::span<Widest const> reference, std::span<double> errors) const override {
+  void state_errors(std::size_t member, std::span<Widest const> reference, std::span<double> errors) const final {
     require_room(errors.size(), System::state_error_count);
     auto const e = wide_system(member).state_errors(wide_state(member), read(reference));
     std::transform(e.begin(), e.end(), errors.begin(), [](W const& v) { return static_cast<double>(v); });
   }
 
-  void exact_state(std::size_t member, std::int64_t steps, std::span<Widest> components) const override {
+  void exact_state(std::size_t member, std::int64_t steps, std::span<Widest> components) const final {
     if constexpr (lane_count == 1 && HasExactFlow<WideSystem>) {
       auto& flow = flows_[member].flow;
-      if (!flow)
-        flow = std::make_shared<typename ExactFlow<WideSystem>::type>(wide_system(member), wide_start(member));
+      if (!flow) flow = std::make_shared<typename ExactFlow<WideSystem>::type>(wide_system(member), wide_start(member));
       auto const exact = (*flow)(W(W(steps) * W(step_)));
       auto next = components.begin();
       for_components([&next](W const& v) { *next++ = Widest(v); }, exact);
@@ -102,13 +72,33 @@ class TrajectoriesOf final : public Trajectories {
     }
   }
 
- private:
+ protected:
   static constexpr std::size_t lane_count = lanes<T>;
-  /// Enough for instructions of one pack to fill the latencies of another, and for all to stay in 48 KB: measured in
-  /// docs/performance.md.
-  static constexpr std::size_t packs_a_block = 4;
-  static constexpr bool compensated = !std::same_as<Y, typename S::State>;
 
+  explicit TrajectoriesIn(TrajectoryRequest const& request)
+      : step_(static_cast<E>(request.step)), starts_(request.starts), flows_(starts_.size()) {
+    for (std::size_t p = 0; p < packs(); ++p) {
+      auto const pack = setup(p, request.attitude);
+      origins_.emplace_back(pack.system.template in<O>(), observed({pack.start, nullptr}));
+    }
+  }
+
+  std::size_t packs() const { return (starts_.size() + lane_count - 1) / lane_count; }
+
+  /// What the stepper of a pack is made from.
+  Setup<System> setup(std::size_t pack, bool attitude) const {
+    return {System(std::span<T const>(gathered(pack, &Start::parameters))), T(step_),
+            State::from_components(gathered(pack, &Start::state)), attitude};
+  }
+
+  /// A pack's state, and what rounding has cost it so far where that is carried along.
+  struct Now {
+    State const& value;
+    State const* residue;
+  };
+  virtual Now now(std::size_t pack) const = 0;
+
+ private:
   static int lane_of(std::size_t member) { return static_cast<int>(member % lane_count); }
 
   /// What a pack's errors are relative to.
@@ -132,24 +122,24 @@ class TrajectoriesOf final : public Trajectories {
   }
 
   /// The states that are meant: with the residue, where one is carried.
-  static ObservedState observed(Y const& y) {
+  static ObservedState observed(Now const& y) {
     ObservedState wide{};
-    if constexpr (compensated)
-      for_components([](O& w, T const& v, T const& r) { w = O(v) + O(r); }, wide, y.value, y.residue);
+    if (y.residue)
+      for_components([](O& w, T const& v, T const& r) { w = O(v) + O(r); }, wide, y.value, *y.residue);
     else
-      for_components([](O& w, T const& v) { w = O(v); }, wide, y);
+      for_components([](O& w, T const& v) { w = O(v); }, wide, y.value);
     return wide;
   }
 
   /// Calls f with each component of one member's state, in the arithmetic V.
   template <class V, class F>
   void visit_member(std::size_t member, F f) const {
-    auto const& y = now_[member / lane_count];
+    auto const y = now(member / lane_count);
     int const l = lane_of(member);
-    if constexpr (compensated)
-      for_components([&](T const& v, T const& r) { f(V(V(lane(v, l)) + V(lane(r, l)))); }, y.value, y.residue);
+    if (y.residue)
+      for_components([&](T const& v, T const& r) { f(V(V(lane(v, l)) + V(lane(r, l)))); }, y.value, *y.residue);
     else
-      for_components([&](T const& v) { f(V(lane(v, l))); }, y);
+      for_components([&](T const& v) { f(V(lane(v, l))); }, y.value);
   }
 
   WideState wide_state(std::size_t member) const {
@@ -183,19 +173,66 @@ class TrajectoriesOf final : public Trajectories {
 
   E step_;
   std::vector<Start> starts_;
-  std::vector<S> steppers_;
-  std::vector<Y> now_;
   std::vector<Origin> origins_;
   // built when first asked for: most members have no reference
   mutable std::vector<FlowHolder<WideSystem>> flows_;
 };
 
-/// Trajectories of stepper S, plain or compensated.
+/// The same with their step S, and Y, its state or its compensated state.
+template <Step S, class Y>
+class TrajectoriesOf final : public TrajectoriesIn<typename S::System> {
+ public:
+  using Base = TrajectoriesIn<typename S::System>;
+
+  /// @param stepper  makes the step of a pack
+  TrajectoriesOf(TrajectoryRequest const& request, S (*stepper)(Setup<typename S::System> const&)) : Base(request) {
+    for (std::size_t p = 0; p < this->packs(); ++p) {
+      auto const setup = this->setup(p, request.attitude);
+      steppers_.push_back(stepper(setup));
+      now_.emplace_back(setup.start);
+    }
+  }
+
+  /// Numbers advance member by member, packs in blocks that stay in the first-level cache.
+  void advance(std::int64_t steps) override {
+    if constexpr (Base::lane_count == 1) {
+      for (std::size_t i = 0; i < now_.size(); ++i) brouwer::advance(steppers_[i], now_[i], steps);
+    } else {
+      std::span<S const> const steppers(steppers_);
+      std::span<Y> const states(now_);
+      for (std::size_t p = 0; p < states.size(); p += packs_a_block) {
+        std::size_t const packs = std::min(packs_a_block, states.size() - p);
+        advance_block(steppers.subspan(p, packs), states.subspan(p, packs), steps);
+      }
+    }
+  }
+
+ private:
+  /// Enough for the instructions of one pack to fill the latencies of another, and for all to stay in 48 KB: measured in
+  /// docs/performance.md.
+  static constexpr std::size_t packs_a_block = 4;
+
+  typename Base::Now now(std::size_t pack) const override {
+    if constexpr (std::same_as<Y, typename S::State>)
+      return {now_[pack], nullptr};
+    else
+      return {now_[pack].value, &now_[pack].residue};
+  }
+
+  std::vector<S> steppers_;
+  std::vector<Y> now_;
+};
+
+/// Trajectories of stepper S, plain or compensated; nothing where the latter is not compiled.
 template <Stepper S>
 std::unique_ptr<Trajectories> begin_trajectories(TrajectoryRequest const& request) {
-  if constexpr (IncrementStepper<S>)
-    if (request.compensation) return std::make_unique<TrajectoriesOf<S, Compensated<typename S::State>>>(request);
-  return std::make_unique<TrajectoriesOf<S, typename S::State>>(request);
+  using Core = typename CoreOf<S>::type;
+  auto const stepper = [](Setup<typename S::System> const& setup) -> Core { return S(setup); };
+  if (!request.compensation) return std::make_unique<TrajectoriesOf<Core, typename S::State>>(request, stepper);
+  // compensated double-double is asked for by nobody in numbers that need packs
+  if constexpr (IncrementStep<S> && !(lanes < typename S::Scalar >> 1 && significand_bits < typename S::Scalar >> 64))
+    return std::make_unique<TrajectoriesOf<Core, Compensated<typename S::State>>>(request, stepper);
+  return nullptr;
 }
 
 }  // namespace brouwer

@@ -29,35 +29,24 @@ namespace brouwer {
 /// rounding of the increment. The increment is taken at m + r instead, r = y + αλmm − m, to first order in r, which also
 /// takes up what the iteration has left, but for a factor |αλm|. (Without it the energy of order 10 drifted by 8.6·10⁻¹⁹
 /// a step at h = 0.16, and by a drift of its own in every body.)
-/// @tparam Coefficients  PerStep or PerTrajectory: when η is formed
-template <Real T, int order_, class Coefficients>
-class Dmv {
+/// @tparam Inertia  what forms η from y: DmvModifiedInertia in every step, or void: η is the start's
+template <Real T, class Inertia>
+class DmvStep {
  public:
   using Scalar = T;
   using System = RigidBody<T>;
   using State = RigidBodyState<T>;
-  static constexpr int order = order_;
   static constexpr bool runs_in_lanes = true;
   static constexpr int turn_limit = 50 + 8 * significand_bits<T>;  ///< linear convergence, at worst 1/8 bit a turn
 
-  explicit Dmv(Setup<System> const& setup)
-      : attitude_(setup.attitude), inertia_(setup.system, setup.step), constants_(inertia_(setup.start.momentum)) {
-    using math::sqrt;
-    T const rest = T(16) * epsilon<T>() * sqrt(squared_norm(setup.start.momentum));
-    auto needed = turns_needed(setup.start.momentum);
-    // where it never settles it fails at the first look
-    tolerance_ = from_lanes<T>([&](int i) { return needed[at(i)] > 0 ? Element<T>(lane(rest, i)) : Element<T>(-1); });
-    for (int& turns : needed) turns = std::max(turns, 1);
-    turns_ = from_lanes<T>([&](int i) { return Element<T>(needed[at(i)]); });
-    fewest_turns_ = *std::min_element(needed.begin(), needed.end());
-    most_turns_ = *std::max_element(needed.begin(), needed.end());
-  }
+  static constexpr bool per_step = !std::is_void_v<Inertia>;
 
   /// The equation of one step, being solved: the iterate, and the constants where they are this step's own.
+  struct Nothing {};
   struct Equation {
     Vector3<T> m;
     T alpha;
-    [[no_unique_address]] std::conditional_t<std::same_as<Coefficients, PerStep>, DmvConstants<T>, PerTrajectory> own;
+    [[no_unique_address]] std::conditional_t<per_step, DmvConstants<T>, Nothing> own;
   };
 
   Equation begin(State const& s) const {
@@ -108,8 +97,22 @@ class Dmv {
     return finish(s, e);
   }
 
+ protected:
+  DmvStep(Setup<System> const& setup, std::conditional_t<per_step, Inertia, Nothing> const& inertia,
+          Vector3<T> const& eta)
+      : attitude_(setup.attitude), inertia_(inertia), constants_(eta) {
+    using math::sqrt;
+    T const rest = T(16) * epsilon<T>() * sqrt(squared_norm(setup.start.momentum));
+    auto needed = turns_needed(setup.start.momentum);
+    // where it never settles it fails at the first look
+    tolerance_ = from_lanes<T>([&](int i) { return needed[at(i)] > 0 ? Element<T>(lane(rest, i)) : Element<T>(-1); });
+    for (int& turns : needed) turns = std::max(turns, 1);
+    turns_ = from_lanes<T>([&](int i) { return Element<T>(needed[at(i)]); });
+    fewest_turns_ = *std::min_element(needed.begin(), needed.end());
+    most_turns_ = *std::max_element(needed.begin(), needed.end());
+  }
+
  private:
-  static constexpr bool per_step = std::same_as<Coefficients, PerStep>;
   static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   DmvConstants<T> const& constants_of(Equation const& e) const {
@@ -204,8 +207,32 @@ class Dmv {
   bool attitude_;
   int fewest_turns_, most_turns_;  ///< over the lanes
   T turns_, tolerance_;
-  DmvModifiedInertia<T, order> inertia_;
+  [[no_unique_address]] std::conditional_t<per_step, Inertia, Nothing> inertia_;
   DmvConstants<T> constants_;
+};
+
+/// The algorithm of an order, with η formed in every step (PerStep), or once (PerTrajectory): then all orders make the
+/// same step, and are one Core.
+template <Real T, int order_, class Coefficients>
+class Dmv : public DmvStep<T, DmvModifiedInertia<T, order_>> {
+ public:
+  using Core = DmvStep<T, DmvModifiedInertia<T, order_>>;
+  static constexpr int order = order_;
+  explicit Dmv(Setup<RigidBody<T>> const& setup)
+      : Dmv(setup, DmvModifiedInertia<T, order_>(setup.system, setup.step)) {}
+
+ private:
+  Dmv(Setup<RigidBody<T>> const& setup, DmvModifiedInertia<T, order_> const& inertia)
+      : Core(setup, inertia, inertia(setup.start.momentum)) {}
+};
+
+template <Real T, int order_>
+class Dmv<T, order_, PerTrajectory> : public DmvStep<T, void> {
+ public:
+  using Core = DmvStep<T, void>;
+  static constexpr int order = order_;
+  explicit Dmv(Setup<RigidBody<T>> const& setup)
+      : Core(setup, {}, DmvModifiedInertia<T, order_>(setup.system, setup.step)(setup.start.momentum)) {}
 };
 
 template <Real T>

@@ -20,31 +20,47 @@ struct Setup {
   bool attitude = true;  ///< false: the part of the state that nothing asks for stays at its start
 };
 
-/// A stepper advances a state by one step of the size that it was built for. It is a value: copyable, no clock, no
-/// history; the system's parameters and the method's constants live in it, rounded once, in its constructor.
-///
-/// It gives either the next value (a DirectStepper) or the change (an IncrementStepper); how a change is added,
-/// plainly or with compensation, is the state's business. Only increments can be compensated.
+/// A step gives either the next value or the change; how a change is added, plainly or with compensation, is the state's
+/// business. Only increments can be compensated.
 template <class S>
-concept DirectStepper = std::copyable<S> && State<typename S::State> &&
-    std::constructible_from<S, Setup<typename S::System>> && requires(S const step, typename S::State const y) {
+concept DirectStep = std::copyable<S> && State<typename S::State> && requires(S const step, typename S::State const y) {
   { step(y) } -> std::same_as<typename S::State>;
+};
+
+template <class S>
+concept IncrementStep = std::copyable<S> && State<typename S::State> &&
+    requires(S const step, typename S::State const y) {
+  { step.increment(y) } -> std::same_as<typename S::State>;
+};
+
+template <class S>
+concept Step = DirectStep<S> || IncrementStep<S>;
+
+/// A stepper is a step of the size and the start that it was built for. It is a value: copyable, no clock, no history; the
+/// system's parameters and the method's constants live in it, rounded once, in its constructor.
+///
+/// Steppers that differ in their constructors alone may name a base as their `Core`, which then is compiled once.
+template <class S>
+concept Stepper = Step<S> && std::constructible_from<S, Setup<typename S::System>> && requires {
   { S::order } -> std::convertible_to<int>;  // 0: exact up to rounding
 };
 
 template <class S>
-concept IncrementStepper = std::copyable<S> && State<typename S::State> &&
-    std::constructible_from<S, Setup<typename S::System>> && requires(S const step, typename S::State const y) {
-  { step.increment(y) } -> std::same_as<typename S::State>;
-  { S::order } -> std::convertible_to<int>;
+struct CoreOf {
+  using type = S;
+};
+template <class S>
+requires requires { typename S::Core; }
+struct CoreOf<S> {
+  using type = typename S::Core;
 };
 
-/// An IncrementStepper that solves an equation by iteration shows its phases, so that the packs of a block can go
+/// An IncrementStep that solves an equation by iteration shows its phases, so that the packs of a block can go
 /// through them side by side: the latency of one is hidden behind the others. Its increment(y) is
 ///     e = begin(y); turn(y, e) blind_turns() times; settle(y, e, blind_turns()); finish(y, e).
 /// settle is told how many turns were made, of those that no lane can do without: at most blind_turns().
 template <class S>
-concept IterativeStepper = IncrementStepper<S> &&
+concept IterativeStep = IncrementStep<S> &&
     requires(S const step, typename S::State const y, typename S::Equation e, int made) {
   { step.begin(y) } -> std::same_as<typename S::Equation>;
   { step.blind_turns() } -> std::same_as<int>;
@@ -52,9 +68,6 @@ concept IterativeStepper = IncrementStepper<S> &&
   step.settle(y, e, made);
   { step.finish(y, e) } -> std::same_as<typename S::State>;
 };
-
-template <class S>
-concept Stepper = DirectStepper<S> || IncrementStepper<S>;
 
 /// What a stepper sees of a state, and how a change is added: plainly, or with what rounding costs carried along.
 template <State S>
@@ -75,29 +88,29 @@ void add(Compensated<S>& y, S const& increment) {
 }
 
 /// One step.
-template <Stepper S, class Y>
+template <Step S, class Y>
 void take_step(S const& step, Y& y) {
-  if constexpr (IncrementStepper<S>)
+  if constexpr (IncrementStep<S>)
     add(y, step.increment(value_of(y)));
   else
     y = step(y);
 }
 
 /// The loop over steps, written once for every method, arithmetic and kind of summation.
-template <Stepper S, class Y>
+template <Step S, class Y>
 void advance(S const& step, Y& y, std::int64_t steps) {
   for (std::int64_t i = 0; i < steps; ++i) take_step(step, y);
 }
 
 /// The same for a block of states (packs of members), each with its stepper: step by step through all of them, so that
 /// a processor which reorders instructions overlaps one pack's with the next one's. Flattened: everything is inlined.
-template <Stepper S, class Y>
+template <Step S, class Y>
 [[gnu::flatten]] void advance_block(std::span<S const> steppers, std::span<Y> states, std::int64_t steps) {
   for (std::int64_t i = 0; i < steps; ++i)
     for (std::size_t p = 0; p < states.size(); ++p) take_step(steppers[p], states[p]);
 }
 
-template <IterativeStepper S, class Y>
+template <IterativeStep S, class Y>
 [[gnu::flatten]] void advance_block(std::span<S const> steppers, std::span<Y> states, std::int64_t steps) {
   std::vector<typename S::Equation> equations(states.size());
   int blind = std::numeric_limits<int>::max();
