@@ -16,7 +16,7 @@ std::optional<std::filesystem::path> results_of(StudyFile const& file, CheckComm
                                                 Catalogue const& catalogue) {
   auto const folder = result_folder(file, command.settings);
   print_study(file, catalogue, folder);
-  return run_missing(file, catalogue, folder, command.settings.threads) ? std::optional(folder) : std::nullopt;
+  return run_missing(file, catalogue, folder, command.settings) ? std::optional(folder) : std::nullopt;
 }
 
 void refuse_nothing_to_check(StudyFile const& file) {

@@ -65,6 +65,11 @@ void add_run_settings(CLI::App& app, RunSettings& settings) {
   add_override(app, settings.overrides, "--steps", "integrate.steps", "steps in place of the study's");
   add_set(app, settings.overrides);
   app.add_option("--threads", settings.threads, "threads to compute with (default: all)")->check(CLI::Range(1, 4096));
+  app.add_option("--lanes", settings.lanes,
+                 fmt::format("members side by side in packs up to these instructions: {} (default: the widest of this "
+                             "processor); the numbers are the same",
+                             fmt::join(instruction_set_names(), ", ")))
+      ->type_name("SET");
   add_levels(app, settings.levels);
 }
 
@@ -136,6 +141,8 @@ void CommandLine::add_plan() {
   auto [app, command] = add<PlanCommand>("plan", "what a study would run, how long, and what it could see", plan);
   app->add_option("study", command->study, "study file (TOML)")->type_name("STUDY")->required();
   add_run_settings(*app, command->settings);
+  app->add_option("--drift", command->drift, "how many member-steps it would take to see this drift per step")
+      ->type_name("X");
 }
 
 void CommandLine::add_check() {

@@ -21,6 +21,7 @@ struct RunSettings {
   std::vector<Override> overrides;  ///< --members, --steps, --set, in this order
   std::string folder;               ///< "": results/NAME in the current folder
   int threads = 0;                  ///< 0: all
+  std::string lanes;                ///< packs up to this instruction set; "": the widest of the processor
   Levels levels;
 };
 
@@ -33,6 +34,7 @@ struct RunCommand {
 struct PlanCommand {
   std::string study;
   RunSettings settings;
+  std::optional<double> drift;  ///< per step, that should be seen
 };
 
 struct TableCommand {

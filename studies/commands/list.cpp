@@ -30,6 +30,7 @@ std::string traits(MethodEntry const& method) {
   if (method.compensable) text += ", compensation applies";
   if (method.uses_special_functions) text += ", special functions apply";
   if (method.uses_coefficients) text += ", coefficients per step or per trajectory";
+  if (method.runs_in_lanes) text += ", runs in lanes";
   if (method.uses_libm) text += ", uses libm";
   return text;
 }

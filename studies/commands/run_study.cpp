@@ -74,15 +74,25 @@ void print_study(StudyFile const& file, Catalogue const& catalogue, std::filesys
   std::fflush(stdout);  // before progress appears on the other stream
 }
 
-bool run_missing(StudyFile const& file, Catalogue const& catalogue, std::filesystem::path const& folder, int threads) {
+RunOptions run_options(RunSettings const& settings) {
+  RunOptions options;
+  options.threads = settings.threads;
+  if (!settings.lanes.empty()) options.widest = instruction_set(settings.lanes);
+  return options;
+}
+
+bool run_missing(StudyFile const& file, Catalogue const& catalogue, std::filesystem::path const& folder,
+                 RunSettings const& settings) {
+  RunOptions options = run_options(settings);
   InterruptGuard const guard;
   Progress progress;
   bool finished = false;
   {
     ProgressLine const line(progress);
-    RunOptions const options{threads, &InterruptGuard::flag()};
+    options.stop = &InterruptGuard::flag();
     finished = run(file.study, file.text, catalogue, file.plan, folder, options, progress);
   }
+  for (auto const& notice : progress.notices) fmt::print(stderr, "brouwer: {}\n", notice);
   if (!finished)
     fmt::print(stderr, "brouwer: interrupted: {} of {} units are finished in {}; the same command resumes\n",
                progress.units_before + progress.units_done.load(), progress.units_total, folder.string());

@@ -1,4 +1,5 @@
 #pragma once
+#include <brouwer/ensemble/run.hpp>
 #include <filesystem>
 
 #include "studies/commands/commands.hpp"
@@ -18,8 +19,13 @@ void print_study(StudyFile const& file, Catalogue const& catalogue, std::filesys
 /// Steps of all members of all cells.
 double member_steps(StudyFile const& file);
 
+/// Threads and packs.
+/// @throws InputError if this processor does not have the instructions that were asked for
+RunOptions run_options(RunSettings const& settings);
+
 /// Computes the units that are missing, with progress on standard error.
 /// @return false if interrupted; how to resume has been said then
-bool run_missing(StudyFile const& file, Catalogue const& catalogue, std::filesystem::path const& folder, int threads);
+bool run_missing(StudyFile const& file, Catalogue const& catalogue, std::filesystem::path const& folder,
+                 RunSettings const& settings);
 
 }  // namespace brouwer

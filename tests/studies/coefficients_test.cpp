@@ -86,10 +86,10 @@ TEST_F(StudyOfCoefficients, IsTriedCellByCell) {
   auto const file = read_study(study(), catalogue());
   ASSERT_EQ(file.plan.cells.size(), 3U);
   for (auto const& cell : file.plan.cells) {
-    auto const pilot = try_cell(file.study, catalogue(), cell, Levels());
-    ASSERT_EQ(pilot.rows.size(), 1U);
-    EXPECT_EQ(pilot.rows[0].cell.coefficients, cell.coefficients) << cell.method;
-    EXPECT_EQ(pilot.rows[0].members, 4) << "of this cell alone";
+    auto const rows = try_cell(file.study, catalogue(), cell, RunOptions(), Levels());
+    ASSERT_EQ(rows.size(), 1U);
+    EXPECT_EQ(rows[0].cell.coefficients, cell.coefficients) << cell.method;
+    EXPECT_EQ(rows[0].members, 4) << "of this cell alone";
   }
 }
 

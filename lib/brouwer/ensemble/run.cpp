@@ -60,7 +60,9 @@ bool run(Study const& study, std::string const& study_text, Catalogue const& cat
   int const threads = threads_of(options);
   Plan plan = planned;
   std::string const hash = study_hash(study);
-  create_result_folder(folder, hash, canonical_text(study), study_text, provenance(threads), plan.cells);
+  auto made_by = provenance(threads);
+  made_by.entries.emplace_back("lanes", name_of(options.widest));
+  create_result_folder(folder, hash, canonical_text(study), study_text, made_by, plan.cells);
 
   std::vector<Unit> missing;
   for (auto const& unit : plan.units)

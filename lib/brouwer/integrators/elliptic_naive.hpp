@@ -16,6 +16,7 @@ template <Real T, class Functions = OwnElliptic>
 class EllipticNaive : public EllipticBase<T> {
  public:
   using State = RigidBodyState<T>;
+  static constexpr bool runs_in_lanes = true;
 
   explicit EllipticNaive(Setup<RigidBody<T>> const& setup) : EllipticBase<T>(setup) {
     using math::sqrt;

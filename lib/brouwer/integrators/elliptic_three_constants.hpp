@@ -11,6 +11,7 @@ template <Real T, class Functions = OwnElliptic>
 class EllipticThreeConstants : public EllipticBase<T> {
  public:
   using State = RigidBodyState<T>;
+  static constexpr bool runs_in_lanes = true;
   explicit EllipticThreeConstants(Setup<RigidBody<T>> const& setup) : EllipticBase<T>(setup) {}
 
   State operator()(State const& s) const { return this->with_momentum(s, next_momentum(s.momentum)); }
@@ -32,6 +33,7 @@ template <Real T, class Functions = OwnElliptic>
 class EllipticAddition : public EllipticBase<T> {
  public:
   using State = RigidBodyState<T>;
+  static constexpr bool runs_in_lanes = true;
   explicit EllipticAddition(Setup<RigidBody<T>> const& setup) : EllipticBase<T>(setup) {}
 
   State operator()(State const& s) const { return this->with_momentum(s, next_momentum(s.momentum)); }
