@@ -20,7 +20,7 @@ namespace brouwer {
 /// It is solved by fixed-point iteration from m = y, α = 1. A turn is twice the line for α and then twice those for m,
 /// in Gauss–Seidel order: m comes closer by |αλm|² in a turn, α by (2α Σ (ηm)²)².
 ///
-/// How many turns settle m to 1/8 ulp is found once, at the trajectory's start, in wider arithmetic. A step makes these,
+/// How many turns settle m to 1/64 ulp is found once, at the trajectory's start, in wider arithmetic. A step makes these,
 /// all but the last without looking, which lets packs run side by side. Where the last line still moved m by more than
 /// rounding does, it goes on, each lane until it stands still or no longer comes closer. Where it never settles (h is too
 /// large) the increment is NaN: the member has failed.
@@ -101,11 +101,7 @@ class DmvStep {
   DmvStep(Setup<System> const& setup, std::conditional_t<per_step, Inertia, Nothing> const& inertia,
           Vector3<T> const& eta)
       : attitude_(setup.attitude), inertia_(inertia), constants_(eta) {
-    using math::sqrt;
-    T const rest = T(16) * epsilon<T>() * sqrt(squared_norm(setup.start.momentum));
-    auto needed = turns_needed(setup.start.momentum);
-    // where it never settles it fails at the first look
-    tolerance_ = from_lanes<T>([&](int i) { return needed[at(i)] > 0 ? Element<T>(lane(rest, i)) : Element<T>(-1); });
+    auto needed = find_turns(setup.start.momentum);
     for (int& turns : needed) turns = std::max(turns, 1);
     turns_ = from_lanes<T>([&](int i) { return Element<T>(needed[at(i)]); });
     fewest_turns_ = *std::min_element(needed.begin(), needed.end());
@@ -158,17 +154,19 @@ class DmvStep {
   /// Rare: kept out of the loop over steps. Rounding may keep m moving to and fro by a few ulp: that is settled, too.
   [[gnu::noinline]] void go_on(Mask<T> active, T change, Vector3<T> const& y, DmvConstants<T> const& k,
                                Equation& e) const {
+    T const to_and_fro = T(8) * tolerance_;
     for (int i = 0; any(active) && i < turn_limit; ++i) {
       T const before = change;
       change = select(active, turn_where(active, y, k, e), change);
-      active = both(active, both(change > T(0), either(change<before, change> tolerance_)));
+      active = both(active, both(change > T(0), either(change<before, change> to_and_fro)));
     }
-    e.alpha = select(change <= tolerance_, e.alpha, T(std::numeric_limits<T>::quiet_NaN()));
+    e.alpha = select(change <= to_and_fro, e.alpha, T(std::numeric_limits<T>::quiet_NaN()));
   }
 
-  /// Turns from y after which m is settled to 1/8 ulp of |y|, and α to what that is worth (of a ball, α alone moves), and
-  /// the last line no longer moved m by more than a quarter of what a look accepts; lane by lane; 0 where it never is.
-  std::array<int, lanes<T>> turns_needed(Vector3<T> const& y) const {
+  /// Turns from y after which m is settled to 1/64 ulp of |y|, and α to what that is worth (of a ball, α alone moves),
+  /// lane by lane; 0 where it never is. What a look accepts is the move of the last line that leaves 1/32 ulp, from 2 ulp,
+  /// to which rounding moves it, to 16; negative where m never settles, so that the first look fails.
+  std::array<int, lanes<T>> find_turns(Vector3<T> const& y) {
     using W = Wider<T>;
     using math::abs;
     using math::sqrt;
@@ -179,20 +177,35 @@ class DmvStep {
     } iterate{wide_y, W(1)};
     DmvConstants<W> const k(Vector3<W>{W(constants_.eta[0]), W(constants_.eta[1]), W(constants_.eta[2])});
     W const length = sqrt(squared_norm(wide_y)), ulp = W(epsilon<T>()) * length;
-    std::array<int, lanes<T>> needed{};
-    auto active = W(0) < W(1), moving = active;
+    std::array<int, lanes<T>> turns{};
+    W accepted = W(-1), last = W(0);
+    auto active = W(0) < W(1);
     for (int i = 0; i < turn_limit && any(active); ++i) {
       auto const before = iterate;
-      W const last = turn(wide_y, k, iterate);
+      W const line = turn(wide_y, k, iterate);
       W const off =
           larger(W(length * k.length2(before.m) * abs(W(iterate.alpha - before.alpha))), distance(iterate.m, before.m));
-      active = both(active, either(moving, negated(off <= ulp / W(8))));
-      moving = negated(last <= W(4) * ulp);
-      for (int l = 0; l < lanes<T>; ++l) needed[at(l)] += is_set(active, l) ? 1 : 0;
+      if (i > 0) {
+        auto const settled = both(active, both(off <= ulp / W(64), last <= W(8) * ulp));
+        accepted = select(settled, acceptable(ulp, off, last), accepted);
+        active = both(active, negated(settled));
+      }
+      last = line;
+      for (int l = 0; l < lanes<T>; ++l) turns[at(l)] += is_set(active, l) ? 1 : 0;
     }
     for (int l = 0; l < lanes<T>; ++l)
-      if (is_set(active, l)) needed[at(l)] = 0;
-    return needed;
+      if (is_set(active, l)) turns[at(l)] = 0;
+    tolerance_ = rounded<T>(accepted);
+    return turns;
+  }
+
+  /// The move of a line, of which the next turn moves off/line, that leaves 1/32 ulp.
+  template <class W>
+  static W acceptable(W const& ulp, W const& off, W const& line) {
+    auto const moves = off > W(0);
+    W const most = W(16) * ulp;
+    W const leaves = select(moves, line / select(moves, off, W(1)) * ulp / W(32), most);
+    return larger(W(W(2) * ulp), select(leaves < most, leaves, most));
   }
 
   /// q ⊗ (1, c)/√α − q with c = αηm: (1, c)/√α − 1 = (−|c|²/(√α + α), √α ηm)
