@@ -20,7 +20,7 @@ namespace brouwer {
 /// It is solved by fixed-point iteration from m = y, α = 1. A turn is twice the line for α and then twice those for m,
 /// in Gauss–Seidel order: m comes closer by |αλm|² in a turn, α by (2α Σ (ηm)²)².
 ///
-/// How many turns settle m to 1/64 ulp is found once, at the trajectory's start, in wider arithmetic. A step makes these,
+/// How many turns settle m far below its ulp is found once, at the trajectory's start, in wider arithmetic. A step makes these,
 /// all but the last without looking, which lets packs run side by side. Where the last line still moved m by more than
 /// rounding does, it goes on, each lane until it stands still or no longer comes closer. Where it never settles (h is too
 /// large) the increment is NaN: the member has failed.
@@ -163,9 +163,10 @@ class DmvStep {
     e.alpha = select(change <= to_and_fro, e.alpha, T(std::numeric_limits<T>::quiet_NaN()));
   }
 
-  /// Turns from y after which m is settled to 1/64 ulp of |y|, and α to what that is worth (of a ball, α alone moves),
-  /// lane by lane; 0 where it never is. What a look accepts is the move of the last line that leaves 1/32 ulp, from 2 ulp,
-  /// to which rounding moves it, to 16; negative where m never settles, so that the first look fails.
+  /// Turns from y after which the correction leaves less than 2⁻¹⁴ ulp of |y| of m, and α is settled to what that is worth
+  /// (of a ball, α alone moves), lane by lane; 0 where it never is. The correction leaves as much of what m is off as a
+  /// line does: the ratio of two moves. What a look accepts lies between 2 ulp, by which rounding moves m, and 16; it is
+  /// negative where m never settles, so that the first look fails.
   std::array<int, lanes<T>> find_turns(Vector3<T> const& y) {
     using W = Wider<T>;
     using math::abs;
@@ -186,7 +187,7 @@ class DmvStep {
       W const off =
           larger(W(length * k.length2(before.m) * abs(W(iterate.alpha - before.alpha))), distance(iterate.m, before.m));
       if (i > 0) {
-        auto const settled = both(active, both(off <= ulp / W(64), last <= W(8) * ulp));
+        auto const settled = both(active, both(off * off <= last * ulp / W(1 << 14), last <= W(8) * ulp));
         accepted = select(settled, acceptable(ulp, off, last), accepted);
         active = both(active, negated(settled));
       }
@@ -199,12 +200,12 @@ class DmvStep {
     return turns;
   }
 
-  /// The move of a line, of which the next turn moves off/line, that leaves 1/32 ulp.
+  /// The move of a line that leaves 2⁻¹² ulp after the correction, where the next turn moves m by `off` after `line`.
   template <class W>
   static W acceptable(W const& ulp, W const& off, W const& line) {
     auto const moves = off > W(0);
-    W const most = W(16) * ulp;
-    W const leaves = select(moves, line / select(moves, off, W(1)) * ulp / W(32), most);
+    W const ratio = line / select(moves, off, W(1)), most = W(16) * ulp;
+    W const leaves = select(moves, ratio * ratio * ulp / W(1 << 12), most);
     return larger(W(W(2) * ulp), select(leaves < most, leaves, most));
   }
 
