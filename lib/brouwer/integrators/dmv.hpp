@@ -1,10 +1,6 @@
 #pragma once
-#include <algorithm>
-#include <array>
-#include <limits>
-
 #include <brouwer/integrators/coefficients.hpp>
-#include <brouwer/integrators/dmv_preprocessing.hpp>
+#include <brouwer/integrators/dmv_iteration.hpp>
 #include <brouwer/integrators/stepper.hpp>
 
 namespace brouwer {
@@ -20,15 +16,12 @@ namespace brouwer {
 /// It is solved by fixed-point iteration from m = y, α = 1. A turn is twice the line for α and then twice those for m,
 /// in Gauss–Seidel order: m comes closer by |αλm|² in a turn, α by (2α Σ (ηm)²)².
 ///
-/// How many turns settle m far below its ulp is found once, at the trajectory's start, in wider arithmetic. A step makes these,
-/// all but the last without looking, which lets packs run side by side. Where the last line still moved m by more than
-/// rounding does, it goes on, each lane until it stands still or no longer comes closer. Where it never settles (h is too
-/// large) the increment is NaN: the member has failed.
-///
 /// m is rounded to its own ulp, and comes to rest on the side that it comes from: biased, and no smaller than the
 /// rounding of the increment. The increment is taken at m + r instead, r = y + αλmm − m, to first order in r, which also
 /// takes up what the iteration has left, but for a factor |αλm|. (Without it the energy of order 10 drifted by 8.6·10⁻¹⁹
 /// a step at h = 0.16, and by a drift of its own in every body.)
+///
+/// In double-double the iteration begins where that of the high parts, in double, comes to rest: half the turns are cheap.
 /// @tparam Inertia  what forms η from y: DmvModifiedInertia in every step, or void: η is the start's
 template <Real T, class Inertia>
 class DmvStep {
@@ -37,48 +30,32 @@ class DmvStep {
   using System = RigidBody<T>;
   using State = RigidBodyState<T>;
   static constexpr bool runs_in_lanes = true;
-  static constexpr int turn_limit = 50 + 8 * significand_bits<T>;  ///< linear convergence, at worst 1/8 bit a turn
 
   static constexpr bool per_step = !std::is_void_v<Inertia>;
+  struct Nothing {};
 
   /// The equation of one step, being solved: the iterate, and the constants where they are this step's own.
-  struct Nothing {};
-  struct Equation {
-    Vector3<T> m;
-    T alpha;
+  struct Equation : DmvIterate<T> {
     [[no_unique_address]] std::conditional_t<per_step, DmvConstants<T>, Nothing> own;
   };
 
   Equation begin(State const& s) const {
-    if constexpr (per_step)
-      return {s.momentum, T(1), DmvConstants<T>(inertia_(s.momentum))};
-    else
-      return {s.momentum, T(1), {}};
+    auto const& y = s.momentum;
+    Equation e{};
+    if constexpr (per_step) e.own = DmvConstants<T>(inertia_(y));
+    static_cast<DmvIterate<T>&>(e) = first_iterate(y, constants_of(e), high_turns_);
+    return e;
   }
 
-  int blind_turns() const { return fewest_turns_ - 1; }
-  void turn(State const& s, Equation& e) const { turn(s.momentum, constants_of(e), e); }
-
-  void settle(State const& s, Equation& e, int made) const {
-    auto const& k = constants_of(e);
-    T change{};
-    if (made + 1 == most_turns_) {
-      change = turn(s.momentum, k, e);
-    } else {
-      for (int i = made; i < most_turns_; ++i) {
-        auto const own = T(i) < turns_;
-        change = select(own, turn_where(own, s.momentum, k, e), change);
-      }
-    }
-    auto const unsettled = negated(change <= tolerance_);
-    if (any(unsettled)) go_on(unsettled, change, s.momentum, k, e);
-  }
+  int blind_turns() const { return turns_.blind(); }
+  void turn(State const& s, Equation& e) const { dmv_turn<T>(s.momentum, constants_of(e), e); }
+  void settle(State const& s, Equation& e, int made) const { turns_.settle(s.momentum, constants_of(e), e, made); }
 
   State finish(State const& s, Equation const& e) const {
     auto const& k = constants_of(e);
     auto const& m = e.m;
     T const rotation2 = k.length2(m) * squared(e.alpha);  // |c|²
-    T const alpha = T(1) + rotation2;
+    T const alpha = 1 + rotation2;
     auto const& y = s.momentum;
     T const mu1 = alpha * k.lambda[0], mu2 = alpha * k.lambda[1], mu3 = alpha * k.lambda[2];
     T const d1 = mu1 * (m[1] * m[2]), d2 = mu2 * (m[2] * m[0]), d3 = mu3 * (m[0] * m[1]);
@@ -100,113 +77,44 @@ class DmvStep {
  protected:
   DmvStep(Setup<System> const& setup, std::conditional_t<per_step, Inertia, Nothing> const& inertia,
           Vector3<T> const& eta)
-      : attitude_(setup.attitude), inertia_(inertia), constants_(eta) {
-    auto needed = find_turns(setup.start.momentum);
-    for (int& turns : needed) turns = std::max(turns, 1);
-    turns_ = from_lanes<T>([&](int i) { return Element<T>(needed[at(i)]); });
-    fewest_turns_ = *std::min_element(needed.begin(), needed.end());
-    most_turns_ = *std::max_element(needed.begin(), needed.end());
-  }
+      : attitude_(setup.attitude),
+        inertia_(inertia),
+        constants_(eta),
+        high_turns_(turns_of_high_parts(setup.start.momentum, eta)),
+        turns_(setup.start.momentum, eta, first_iterate(setup.start.momentum, constants_, high_turns_)) {}
 
  private:
-  static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  static constexpr bool has_high_part = !std::is_void_v<typename HighPart<T>::type>;
+  using High = std::conditional_t<has_high_part, typename HighPart<T>::type, T>;
+  using HighTurns = std::conditional_t<has_high_part, DmvTurns<High>, Nothing>;
+
+  static Vector3<High> high(Vector3<T> const& v) requires has_high_part {
+    return {v[0].high(), v[1].high(), v[2].high()};
+  }
+
+  static HighTurns turns_of_high_parts(Vector3<T> const& y, Vector3<T> const& eta) {
+    if constexpr (has_high_part)
+      return {high(y), high(eta), {high(y), High(1)}};
+    else
+      return {};
+  }
+
+  /// m = y, α = 1, or where these lead in the high parts.
+  static DmvIterate<T> first_iterate(Vector3<T> const& y, DmvConstants<T> const& k, HighTurns const& turns) {
+    if constexpr (has_high_part) {
+      DmvIterate<High> e{high(y), High(1)};
+      turns.solve(high(y), DmvConstants<High>(high(k.eta)), e);
+      return {{T(e.m[0]), T(e.m[1]), T(e.m[2])}, T(e.alpha)};
+    } else {
+      return {y, T(1)};
+    }
+  }
 
   DmvConstants<T> const& constants_of(Equation const& e) const {
     if constexpr (per_step)
       return e.own;
     else
       return constants_;
-  }
-
-  /// One turn of whatever has m and alpha.
-  /// @return by how much the last line moved m
-  template <class U, class Iterate>
-  static U turn(Vector3<U> const& y, DmvConstants<U> const& k, Iterate& e) {
-    U const S = k.length2(e.m), once = U(1) + S * squared(e.alpha), alpha = U(1) + S * squared(once);
-    U const mu1 = alpha * k.lambda[0], mu2 = alpha * k.lambda[1], mu3 = alpha * k.lambda[2];
-    U const a1 = y[0] + mu1 * (e.m[1] * e.m[2]);
-    U const a2 = y[1] + mu2 * (e.m[2] * a1);
-    U const a3 = y[2] + mu3 * (a1 * a2);
-    U const b1 = y[0] + mu1 * (a2 * a3);
-    U const b2 = y[1] + mu2 * (a3 * b1);
-    U const b3 = y[2] + mu3 * (b1 * b2);
-    e.m[0] = b1;
-    e.m[1] = b2;
-    e.m[2] = b3;
-    e.alpha = alpha;
-    return distance(e.m, {a1, a2, a3});
-  }
-
-  template <class U>
-  static U distance(Vector3<U> const& a, Vector3<U> const& b) {
-    using math::abs;
-    return larger(larger(U(abs(U(a[0] - b[0]))), U(abs(U(a[1] - b[1])))), U(abs(U(a[2] - b[2]))));
-  }
-
-  static T turn_where(Mask<T> const& mask, Vector3<T> const& y, DmvConstants<T> const& k, Equation& e) {
-    Equation next = e;
-    T const change = turn(y, k, next);
-    e.m = select_vector<T>(mask, next.m, e.m);
-    e.alpha = select(mask, next.alpha, e.alpha);
-    return change;
-  }
-
-  /// Rare: kept out of the loop over steps. Rounding may keep m moving to and fro by a few ulp: that is settled, too.
-  [[gnu::noinline]] void go_on(Mask<T> active, T change, Vector3<T> const& y, DmvConstants<T> const& k,
-                               Equation& e) const {
-    T const to_and_fro = T(8) * tolerance_;
-    for (int i = 0; any(active) && i < turn_limit; ++i) {
-      T const before = change;
-      change = select(active, turn_where(active, y, k, e), change);
-      active = both(active, both(change > T(0), either(change<before, change> to_and_fro)));
-    }
-    e.alpha = select(change <= to_and_fro, e.alpha, T(std::numeric_limits<T>::quiet_NaN()));
-  }
-
-  /// Turns from y after which the correction leaves less than 2⁻¹⁴ ulp of |y| of m, and α is settled to what that is worth
-  /// (of a ball, α alone moves), lane by lane; 0 where it never is. The correction leaves as much of what m is off as a
-  /// line does: the ratio of two moves. What a look accepts lies between 2 ulp, by which rounding moves m, and 16; it is
-  /// negative where m never settles, so that the first look fails.
-  std::array<int, lanes<T>> find_turns(Vector3<T> const& y) {
-    using W = Wider<T>;
-    using math::abs;
-    using math::sqrt;
-    Vector3<W> const wide_y{W(y[0]), W(y[1]), W(y[2])};
-    struct {
-      Vector3<W> m;
-      W alpha;
-    } iterate{wide_y, W(1)};
-    DmvConstants<W> const k(Vector3<W>{W(constants_.eta[0]), W(constants_.eta[1]), W(constants_.eta[2])});
-    W const length = sqrt(squared_norm(wide_y)), ulp = W(epsilon<T>()) * length;
-    std::array<int, lanes<T>> turns{};
-    W accepted = W(-1), last = W(0);
-    auto active = W(0) < W(1);
-    for (int i = 0; i < turn_limit && any(active); ++i) {
-      auto const before = iterate;
-      W const line = turn(wide_y, k, iterate);
-      W const off =
-          larger(W(length * k.length2(before.m) * abs(W(iterate.alpha - before.alpha))), distance(iterate.m, before.m));
-      if (i > 0) {
-        auto const settled = both(active, both(off * off <= last * ulp / W(1 << 14), last <= W(8) * ulp));
-        accepted = select(settled, acceptable(ulp, off, last), accepted);
-        active = both(active, negated(settled));
-      }
-      last = line;
-      for (int l = 0; l < lanes<T>; ++l) turns[at(l)] += is_set(active, l) ? 1 : 0;
-    }
-    for (int l = 0; l < lanes<T>; ++l)
-      if (is_set(active, l)) turns[at(l)] = 0;
-    tolerance_ = rounded<T>(accepted);
-    return turns;
-  }
-
-  /// The move of a line that leaves 2⁻¹² ulp after the correction, where the next turn moves m by `off` after `line`.
-  template <class W>
-  static W acceptable(W const& ulp, W const& off, W const& line) {
-    auto const moves = off > W(0);
-    W const ratio = line / select(moves, off, W(1)), most = W(16) * ulp;
-    W const leaves = select(moves, ratio * ratio * ulp / W(1 << 12), most);
-    return larger(W(W(2) * ulp), select(leaves < most, leaves, most));
   }
 
   /// q ⊗ (1, c)/√α − q with c = αηm: (1, c)/√α − 1 = (−|c|²/(√α + α), √α ηm)
@@ -219,10 +127,10 @@ class DmvStep {
   }
 
   bool attitude_;
-  int fewest_turns_, most_turns_;  ///< over the lanes
-  T turns_, tolerance_;
   [[no_unique_address]] std::conditional_t<per_step, Inertia, Nothing> inertia_;
   DmvConstants<T> constants_;
+  [[no_unique_address]] HighTurns high_turns_;
+  DmvTurns<T> turns_;
 };
 
 /// The algorithm of an order, with η formed in every step (PerStep), or once (PerTrajectory): then all orders make the

@@ -81,7 +81,7 @@ struct DmvConstants {
 
 /// η from the inertia and, for orders above 2, from the first integrals of the current momentum:
 ///     ηⱼ = (h/2)/Iⱼ + ((σ−1) (h/2)/Iⱼ + (h/2) δ),
-/// so that the correction, small as h², is rounded before it is added. σ and δ by Horner's rule in H inside, in C
+/// so that the correction, small as h², is rounded before it is added. σ and δ by Horner's rule in H inside, in 2C
 /// outside; the powers of h are in the coefficients, which are rounded once.
 template <Real T, int order>
 class DmvModifiedInertia {
@@ -100,8 +100,9 @@ class DmvModifiedInertia {
       for (int k = 1; k <= degree; ++k) {
         power = power * h2;
         for (int j = 0; j <= k; ++j) {
-          sigma_[at(k - j)][at(j)] = rounded<T>(W(power * terms.s[at(k - 1)][at(j)]));
-          delta_[at(k - j)][at(j)] = rounded<T>(W(power * half_step * terms.d[at(k - 1)][at(j)]));
+          W const scale = power / W(1 << (k - j));
+          sigma_[at(k - j)][at(j)] = rounded<T>(W(scale * terms.s[at(k - 1)][at(j)]));
+          delta_[at(k - j)][at(j)] = rounded<T>(W(scale * half_step * terms.d[at(k - 1)][at(j)]));
         }
       }
     }
@@ -112,9 +113,9 @@ class DmvModifiedInertia {
       return eta_;
     } else {
       Vector3<T> const y2{squared(y[0]), squared(y[1]), squared(y[2])};
-      T const C = (y2[0] + y2[1] + y2[2]) / T(2);
+      T const twice_C = y2[0] + y2[1] + y2[2];
       T const H = half_over_inertia_[0] * y2[0] + half_over_inertia_[1] * y2[1] + half_over_inertia_[2] * y2[2];
-      T const s = polynomial(sigma_, C, H), d = polynomial(delta_, C, H);
+      T const s = polynomial(sigma_, twice_C, H), d = polynomial(delta_, twice_C, H);
       return {eta_[0] + (s * eta_[0] + d), eta_[1] + (s * eta_[1] + d), eta_[2] + (s * eta_[2] + d)};
     }
   }
@@ -123,14 +124,14 @@ class DmvModifiedInertia {
   static constexpr int degree = order / 2 - 1;
   static_assert(order % 2 == 0 && 0 <= degree && degree <= DmvPreprocessing<double>::most);
   static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  using Coefficients = std::array<std::array<T, degree + 1>, degree + 1>;  ///< [i][j]: of CⁱHʲ; [0][0] is not used
+  using Coefficients = std::array<std::array<T, degree + 1>, degree + 1>;  ///< [i][j]: of (2C)ⁱHʲ; [0][0] is not used
 
-  static T polynomial(Coefficients const& a, T const& C, T const& H) {
+  static T polynomial(Coefficients const& a, T const& twice_C, T const& H) {
     T sum = a[at(degree)][0];
     for (int i = degree - 1; i >= 0; --i) {
       T inner = a[at(i)][at(degree - i)];
       for (int j = degree - i - 1; j >= (i == 0 ? 1 : 0); --j) inner = inner * H + a[at(i)][at(j)];
-      sum = sum * C + (i == 0 ? T(inner * H) : inner);
+      sum = sum * twice_C + (i == 0 ? T(inner * H) : inner);
     }
     return sum;
   }

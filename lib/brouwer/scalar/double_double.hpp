@@ -331,6 +331,11 @@ DoubleDouble<T> pow(DoubleDouble<T> const& a, DoubleDouble<T> const& b) {
 // --- lanes ------------------------------------------------------------------------------------------------------------
 
 /// A double-double of packs is a pack of double-doubles; a pack of double-doubles is not needed.
+template <class T>
+struct HighPart<DoubleDouble<T>> {
+  using type = T;
+};
+
 template <class T, int N>
 struct Lanes<DoubleDouble<Pack<T, N>>> {
   using Element = DoubleDouble<T>;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace brouwer {
@@ -79,6 +80,25 @@ concept Real = std::copyable<T> && std::constructible_from<T, int> && requires(T
   { select(a < b, a, b) } -> std::convertible_to<T>;
   { any(a < b) } -> std::same_as<bool>;
 };
+
+/// The leading part of a scalar that is a sum of two (double_double.hpp); void elsewhere.
+template <class T>
+struct HighPart {
+  using type = void;
+};
+
+/// What of a scalar decides its size: the high part, or the whole.
+template <class T>
+using Leading = std::conditional_t<std::is_void_v<typename HighPart<T>::type>, T, typename HighPart<T>::type>;
+
+/// a − b of numbers close to one another, as far as it decides the size.
+template <class T>
+Leading<T> leading_difference(T const& a, T const& b) {
+  if constexpr (std::same_as<Leading<T>, T>)
+    return a - b;
+  else
+    return (a.high() - b.high()) + (a.low() - b.low());
+}
 
 /// Unit roundoff's double: the distance from 1 to the next number, 2^(1−p).
 template <class T>

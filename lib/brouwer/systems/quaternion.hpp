@@ -10,6 +10,16 @@ Vector3<T> select_vector(Mask<T> const& mask, Vector3<T> const& yes, Vector3<T> 
   return {select(mask, yes[0], no[0]), select(mask, yes[1], no[1]), select(mask, yes[2], no[2])};
 }
 
+/// max |aⱼ − bⱼ| of vectors close to one another
+template <Real T>
+Leading<T> largest_difference(Vector3<T> const& a, Vector3<T> const& b) {
+  using math::abs;
+  using L = Leading<T>;
+  L const d1 = abs(leading_difference<T>(a[0], b[0])), d2 = abs(leading_difference<T>(a[1], b[1])),
+          d3 = abs(leading_difference<T>(a[2], b[2]));
+  return larger(larger(d1, d2), d3);
+}
+
 /// Hamilton's product p ⊗ q. Written out: Eigen's own changes its order of operations with the instruction set.
 template <Real T>
 Quaternion<T> hamilton_product(Quaternion<T> const& p, Quaternion<T> const& q) {
