@@ -81,13 +81,13 @@ class AdditionStep {
             f.per_D * (f.R * E * y[2] - f.P * f.turn[2])};
   }
 
-  /// y' − y = ((pE + e)y₁ − λ₁GRy₂y₃, ((p + r)E + pr + e)y₂ + λ₂GEy₁y₃, (rE + e)y₃ − λ₃GPy₁y₂)/D
+  /// y' − y = ((pE + e)y₁ − λ₁GRy₂y₃, (pE + rE + pr + e)y₂ + λ₂GEy₁y₃, (rE + e)y₃ − λ₃GPy₁y₂)/D
   Vector3<T> increment(HalfStep<T> const& half, Vector3<T> const& y) const {
     auto const f = whole(half, y);
-    T const E = half.E;
-    return {f.per_D * ((f.p * E + f.e) * y[0] - f.R * f.turn[0]),
-            f.per_D * (((f.p + f.r) * E + (f.p * f.r + f.e)) * y[1] + E * f.turn[1]),
-            f.per_D * ((f.r * E + f.e) * y[2] - f.P * f.turn[2])};
+    T const E = half.E, pE = f.p * E, rE = f.r * E;
+    return {f.per_D * ((pE + f.e) * y[0] - f.R * f.turn[0]),
+            f.per_D * (((pE + rE) + (f.p * f.r + f.e)) * y[1] + E * f.turn[1]),
+            f.per_D * ((rE + f.e) * y[2] - f.P * f.turn[2])};
   }
 
  private:

@@ -57,8 +57,12 @@ class EllipticAttitude {
 
   /// q(t+h) − q(t) for the attitude q before the step.
   Quaternion<T> increment(Quaternion<T> const& q, Vector3<T> const& y, Vector3<T> const& dy) const {
-    if (most_pieces_ == 1) return hamilton_product(q, turn_less_one(step_.half(y), y, dy));
-    return in_pieces(q, y, dy);
+    return hamilton_product(q, turn_less_one(step_.half(y), y, dy));
+  }
+
+  /// q(t)⁻¹ ⊗ q(t+h) − 1, with half of an addition step over the same h from y.
+  Quaternion<T> turn_less_one(HalfStep<T> const& half, Vector3<T> const& y, Vector3<T> const& dy) const {
+    return most_pieces_ == 1 ? turn_of_piece(half, y, dy) : turn_in_pieces(y, dy);
   }
 
  private:
@@ -115,7 +119,7 @@ class EllipticAttitude {
   }
 
   /// (1, c)/√(1 + |c|²) − 1 over a common denominator N = q(1 + λ₁λ₃g²y₂y₂')|M|²
-  Quaternion<T> turn_less_one(HalfStep<T> const& half, Vector3<T> const& y, Vector3<T> const& d) const {
+  Quaternion<T> turn_of_piece(HalfStep<T> const& half, Vector3<T> const& y, Vector3<T> const& d) const {
     using math::sqrt;
     T const y2_after = y[1] + d[1];
     Vector3<T> const M{unit_ * (y[0] + (y[0] + d[0])), unit_ * (y[1] + y2_after), unit_ * (y[2] + (y[2] + d[2]))};
@@ -134,17 +138,16 @@ class EllipticAttitude {
   }
 
   /// Rare. A lane that needs fewer pieces than another stands still at its end.
-  [[gnu::noinline]] Quaternion<T> in_pieces(Quaternion<T> q, Vector3<T> y, Vector3<T> rest) const {
-    T const nothing = -T(0);  // added to anything it leaves every bit
-    Quaternion<T> turned(nothing, nothing, nothing, nothing);
+  [[gnu::noinline]] Quaternion<T> turn_in_pieces(Vector3<T> y, Vector3<T> rest) const {
+    Quaternion<T> turned(T(0), T(0), T(0), T(0));
     for (int i = 0; i < most_pieces_; ++i) {
       auto const half = step_.half(y);
       auto const d = select_vector<T>(T(i + 1) < pieces_, step_.increment(half, y), rest);
-      auto const turn = hamilton_product(q, turn_less_one(half, y, d));
+      auto const turn = turn_of_piece(half, y, d), more = hamilton_product(turned, turn);
       for (int j = 0; j < 4; ++j) {
-        T const part = select(T(i) < pieces_, turn.coeffs()[j], nothing);
-        q.coeffs()[j] += part;
-        turned.coeffs()[j] += part;
+        T& sum = turned.coeffs()[j];
+        T const next = i == 0 ? turn.coeffs()[j] : sum + (turn.coeffs()[j] + more.coeffs()[j]);
+        sum = select(T(i) < pieces_, next, sum);
       }
       y = {y[0] + d[0], y[1] + d[1], y[2] + d[2]};
       rest = {rest[0] - d[0], rest[1] - d[1], rest[2] - d[2]};

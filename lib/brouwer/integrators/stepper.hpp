@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <brouwer/systems/state.hpp>
@@ -55,6 +56,16 @@ concept IterativeStepper = IncrementStepper<S> &&
 
 template <class S>
 concept Stepper = DirectStepper<S> || IncrementStepper<S>;
+
+/// A stepper whose step is a long chain of operations shows it in stages, for the same reason. A step is
+///     stage<0>(y, w); …; stage<stages − 1>(y, w); finish(y, w)
+/// where finish gives the next value or the increment, whichever the stepper gives.
+template <class S>
+concept StagedStepper = Stepper<S> && requires(S const step, typename S::State const y, typename S::Work w) {
+  { S::stages } -> std::convertible_to<int>;
+  step.template stage<0>(y, w);
+  { step.finish(y, w) } -> std::same_as<typename S::State>;
+};
 
 /// What a stepper sees of a state, and how a change is added: plainly, or with what rounding costs carried along.
 template <State S>
@@ -109,6 +120,29 @@ template <IterativeStepper S, class Y>
       for (std::size_t p = 0; p < packs; ++p) steppers[p].turn(value_of(states[p]), equations[p]);
     for (std::size_t p = 0; p < packs; ++p) steppers[p].settle(value_of(states[p]), equations[p], blind);
     for (std::size_t p = 0; p < packs; ++p) add(states[p], steppers[p].finish(value_of(states[p]), equations[p]));
+  }
+}
+
+template <StagedStepper S, class Y>
+[[gnu::flatten]] void advance_block(std::span<S const> steppers, std::span<Y> states, std::int64_t steps) {
+  std::vector<typename S::Work> work(states.size());
+  std::size_t const packs = states.size();
+  for (std::int64_t i = 0; i < steps; ++i) {
+    [&]<int... stage>(std::integer_sequence<int, stage...>) {
+      (
+          [&] {
+            for (std::size_t p = 0; p < packs; ++p) steppers[p].template stage<stage>(value_of(states[p]), work[p]);
+          }(),
+          ...);
+    }
+    (std::make_integer_sequence<int, S::stages>());
+    for (std::size_t p = 0; p < packs; ++p) {
+      auto const result = steppers[p].finish(value_of(states[p]), work[p]);
+      if constexpr (IncrementStepper<S>)
+        add(states[p], result);
+      else
+        states[p] = result;
+    }
   }
 }
 
