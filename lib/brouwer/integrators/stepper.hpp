@@ -78,7 +78,7 @@ S const& value_of(Compensated<S> const& y) {
 }
 template <State S>
 void add(S& y, S const& increment) {
-  y = sum(y, increment);
+  for_components([](auto& a, auto const& d) { a = a + d; }, y, increment);
 }
 template <State S>
 void add(Compensated<S>& y, S const& increment) {
