@@ -42,8 +42,9 @@ W attitude_constant(RigidBody<W> const& body, Vector3<W> const& start, W const& 
 /// form. The rotation (1, c)/√(1 + |c|²) takes y' = y + d back to y: with M = y + y'
 ///     c = bM + 2 d×y/|M|²
 /// for some b, the only unknown. The discrete Moser–Veselov step with constants η, of which c = αη(M/2), is exact in
-/// momentum and attitude where η depends in the right way on the first integrals (FORMULAS §3: order infinity);
-/// comparing it with the addition theorem over the step gives, with g, q, E, λ of half the step (addition_step.hpp),
+/// momentum and attitude where η, as its preprocessing says, depends on the first integrals in the right way (dmv.hpp: the
+/// limit of its orders; measured to 70 digits in tests/contracts, not proved). Comparing it with the addition theorem
+/// over the step gives, with g, q, E, λ of half the step (addition_step.hpp),
 ///     b = (h/4) (gE/q) (2H(M)/|M|² + ρ) / (1 + λ₁λ₃g²y₂y₂')
 /// where ρ, of size h², depends on the first integrals and h alone. It is found once, at the start, from a quadrature.
 /// That Q y is conserved does not depend on it.
@@ -127,7 +128,7 @@ class EllipticAttitude {
     T const q = T(1) + half.slope_less_one;
     T const below = q + q * ((lambda[0] * half.g * y[1]) * (lambda[2] * half.g * y2_after));
     T const weighted = kappa_[0] * squared(M[0]) + kappa_[1] * squared(M[1]) + kappa_[2] * squared(M[2]);
-    T const along = per_unit_ * half.g * half.E * weighted, across = (below + below) * squared(unit_);
+    T const along = per_unit_ * half.g * half.E() * weighted, across = (below + below) * squared(unit_);
     auto const side = cross(d, y);
     Vector3<T> const c{along * M[0] + across * side[0], along * M[1] + across * side[1],
                        along * M[2] + across * side[2]};
@@ -156,8 +157,8 @@ class EllipticAttitude {
   }
 
   T pieces_;
-  T unit_;  ///< about 1/|y|
-  T per_unit_;
+  T unit_;      ///< about 1/|y|
+  T per_unit_;  ///< h/4 of a piece over unit_, or less where g is larger
   int most_pieces_ = 1;
   std::array<T, 3> kappa_;  ///< 1/Iⱼ + ρ
   AdditionStep<T> step_;

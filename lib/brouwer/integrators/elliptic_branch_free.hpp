@@ -3,7 +3,8 @@
 
 namespace brouwer {
 
-/// What the branch-free elliptic integrators share: the addition step (addition_step.hpp) and, in stages, the attitude.
+/// What the branch-free elliptic integrators share: the addition step (addition_step.hpp) and, with its half step, the
+/// attitude.
 template <Real T>
 class EllipticByAddition : public EllipticBase<T> {
  public:
@@ -11,7 +12,7 @@ class EllipticByAddition : public EllipticBase<T> {
   static constexpr bool runs_in_lanes = true;
   static constexpr int stages = 3;
 
-  /// One step on its way.
+  /// One step on its way (StagedStepper).
   struct Work {
     HalfStep<T> half;
     Vector3<T> momentum;  ///< after the step, or its change
@@ -24,18 +25,8 @@ class EllipticByAddition : public EllipticBase<T> {
 
   AdditionStep<T> const& addition() const { return addition_; }
 
-  void turn(State const& s, Vector3<T> const& change, Work& w) const {
-    if (this->attitude()) w.turn = this->attitude()->turn_less_one(w.half, s.momentum, change);
-  }
-
-  template <class Stepper>
-  static State all_stages(Stepper const& step, State const& s) {
-    Work w;
-    step.template stage<0>(s, w);
-    step.template stage<1>(s, w);
-    step.template stage<2>(s, w);
-    return step.finish(s, w);
-  }
+  /// Added to an attitude it leaves every bit: −0.
+  static Quaternion<T> no_turn() { return {-T(0), -T(0), -T(0), -T(0)}; }
 
  private:
   AdditionStep<T> addition_;
@@ -51,21 +42,31 @@ class EllipticBranchFree : public EllipticByAddition<T> {
 
   explicit EllipticBranchFree(Setup<RigidBody<T>> const& setup) : EllipticByAddition<T>(setup) {}
 
-  template <int i>
-  void stage(State const& s, Work& w) const {
-    auto const& y = s.momentum;
-    if constexpr (i == 0) w.half = this->addition().half(y);
-    if constexpr (i == 1) w.momentum = this->addition().next(w.half, y);
-    if constexpr (i == 2) this->turn(s, {w.momentum[0] - y[0], w.momentum[1] - y[1], w.momentum[2] - y[2]}, w);
-  }
-  State finish(State const& s, Work const& w) const {
-    if (!this->attitude()) return {w.momentum, s.attitude};
-    auto const dq = hamilton_product(s.attitude, w.turn);
-    auto const& q = s.attitude;
-    return {w.momentum, {q.w() + dq.w(), q.x() + dq.x(), q.y() + dq.y(), q.z() + dq.z()}};
+  State operator()(State s) const {
+    auto const half = this->addition().half(s.momentum);
+    auto const next = this->addition().next(half, s.momentum);
+    if (this->attitude()) turn(s.attitude, this->attitude()->turn_less_one(half, s.momentum, less(next, s.momentum)));
+    return {next, s.attitude};
   }
 
-  State operator()(State const& s) const { return this->all_stages(*this, s); }
+  template <int i>
+  void stage(State const& s, Work& w) const {
+    if constexpr (i == 0) w.half = this->addition().half(s.momentum);
+    if constexpr (i == 1) w.momentum = this->addition().next(w.half, s.momentum);
+    if constexpr (i == 2)
+      if (this->attitude()) w.turn = this->attitude()->turn_less_one(w.half, s.momentum, less(w.momentum, s.momentum));
+  }
+  void finish(State& s, Work const& w) const {
+    s.momentum = w.momentum;
+    if (this->attitude()) turn(s.attitude, w.turn);
+  }
+
+ private:
+  static Vector3<T> less(Vector3<T> const& a, Vector3<T> const& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+  static void turn(Quaternion<T>& q, Quaternion<T> const& turn_less_one) {
+    auto const dq = hamilton_product(q, turn_less_one);
+    q = {q.w() + dq.w(), q.x() + dq.x(), q.y() + dq.y(), q.z() + dq.z()};
+  }
 };
 
 /// The same step as an increment. Its rounding errors are of the size of the increment: a random walk, which compensation
@@ -78,18 +79,33 @@ class EllipticIncrement : public EllipticByAddition<T> {
 
   explicit EllipticIncrement(Setup<RigidBody<T>> const& setup) : EllipticByAddition<T>(setup) {}
 
+  State increment(State const& s) const {
+    auto const half = this->addition().half(s.momentum);
+    auto const dy = this->addition().increment(half, s.momentum);
+    if (!this->attitude()) return {dy, this->no_turn()};
+    return {dy, hamilton_product(s.attitude, this->attitude()->turn_less_one(half, s.momentum, dy))};
+  }
+
   template <int i>
   void stage(State const& s, Work& w) const {
     if constexpr (i == 0) w.half = this->addition().half(s.momentum);
+    if (!this->attitude()) return;
     if constexpr (i == 1) w.momentum = this->addition().increment(w.half, s.momentum);
-    if constexpr (i == 2) this->turn(s, w.momentum, w);
+    if constexpr (i == 2) w.turn = this->attitude()->turn_less_one(w.half, s.momentum, w.momentum);
   }
-  State finish(State const& s, Work const& w) const {
-    if (!this->attitude()) return {w.momentum, {T(0), T(0), T(0), T(0)}};
-    return {w.momentum, hamilton_product(s.attitude, w.turn)};
+  /// @param y  the state, or the state with its residue
+  template <class Y>
+  void finish(Y& y, Work const& w) const {
+    if (this->attitude()) {
+      add(y, State{w.momentum, hamilton_product(value_of(y).attitude, w.turn)});
+      return;
+    }
+    auto const dy = this->addition().increment(w.half, value_of(y).momentum);
+    if constexpr (std::same_as<Y, State>)
+      y.momentum = {y.momentum[0] + dy[0], y.momentum[1] + dy[1], y.momentum[2] + dy[2]};
+    else
+      add(y, State{dy, this->no_turn()});
   }
-
-  State increment(State const& s) const { return this->all_stages(*this, s); }
 };
 
 }  // namespace brouwer

@@ -59,12 +59,12 @@ concept Stepper = DirectStepper<S> || IncrementStepper<S>;
 
 /// A stepper whose step is a long chain of operations shows it in stages, for the same reason. A step is
 ///     stage<0>(y, w); …; stage<stages − 1>(y, w); finish(y, w)
-/// where finish gives the next value or the increment, whichever the stepper gives.
+/// where finish alone changes y: in place, because stores are what a block of packs has fewest of.
 template <class S>
 concept StagedStepper = Stepper<S> && requires(S const step, typename S::State const y, typename S::Work w) {
   { S::stages } -> std::convertible_to<int>;
   step.template stage<0>(y, w);
-  { step.finish(y, w) } -> std::same_as<typename S::State>;
+  requires requires(typename S::State next) { step.finish(next, w); };
 };
 
 /// What a stepper sees of a state, and how a change is added: plainly, or with what rounding costs carried along.
@@ -136,13 +136,7 @@ template <StagedStepper S, class Y>
           ...);
     }
     (std::make_integer_sequence<int, S::stages>());
-    for (std::size_t p = 0; p < packs; ++p) {
-      auto const result = steppers[p].finish(value_of(states[p]), work[p]);
-      if constexpr (IncrementStepper<S>)
-        add(states[p], result);
-      else
-        states[p] = result;
-    }
+    for (std::size_t p = 0; p < packs; ++p) steppers[p].finish(states[p], work[p]);
   }
 }
 
