@@ -74,7 +74,7 @@ auto components(Y const& y) {
   return all;
 }
 
-/// Runs of a pack and of each of its lanes from the same start, summed as Y does.
+/// Runs of a pack, step by step and in stages, and of each of its lanes from the same start, summed as Y does.
 template <template <class> class S, template <class> class Y, class T>
 void expect_lanes_equal_scalar_runs() {
   using E = Element<T>;
@@ -82,7 +82,9 @@ void expect_lanes_equal_scalar_runs() {
     for (std::size_t first = 0; first < mixed_bodies().size(); first += lanes<T>) {
       auto const setup = setup_of_lanes<T>(first, attitude);
       Y<RigidBodyState<T>> pack(setup.start);
-      advance(S<T>(setup), pack, steps);
+      S<T> const stepper(setup);
+      advance(stepper, pack, steps / 2);
+      advance_block(std::span<S<T> const>(&stepper, 1), std::span<Y<RigidBodyState<T>>>(&pack, 1), steps / 2);
       for (int i = 0; i < lanes<T>; ++i) {
         auto const alone = setup_of_lane(setup, i);
         Y<RigidBodyState<E>> scalar(alone.start);

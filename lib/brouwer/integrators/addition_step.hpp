@@ -35,7 +35,15 @@ SeriesPlan plan_series(EllipticConstants<T> const& c, Vector3<T> const& y, doubl
 template <Real T>
 struct HalfStep {
   T g, slope_less_one;  ///< slope = cn dn
-  T s2, t2, E;          ///< E = 1 − s²t²
+  T s2, t2, s2t2;
+
+  /// The whole step's E, P − E and R − E (AdditionStep)
+  T E() const { return T(1) - s2t2; }
+  T p() const { return twice(s2t2 - s2); }
+  T r() const { return twice(s2t2 - t2); }
+
+ private:
+  static T twice(T const& a) { return a + a; }
 };
 
 /// The elliptic solution over a fixed time by the addition theorem in a form with no modulus, no sign, no branch, no
@@ -45,7 +53,7 @@ struct HalfStep {
 /// contradict one another. Half the step:
 ///     A = λ₁(λ₃y₂² + λ₂y₃²)    B = λ₃(λ₂y₁² + λ₁y₂²)    g = g(A+B, AB)    q = cn dn = q(A+B, AB)    s² = Ag²    t² = Bg²
 /// and doubled, where nothing cancels: with E = 1 − s²t², all over E,
-///     G = 2gq    P = E + p, p = −2s²(1 − t²)    R = E + r, r = −2t²(1 − s²)
+///     G = 2gq    P = E + p, p = 2(s²t² − s²)    R = E + r, r = 2(s²t² − t²)
 /// Where the series would be too long, the half step is made from its half in the same way, and so on.
 template <Real T>
 class AdditionStep {
@@ -68,51 +76,45 @@ class AdditionStep {
       auto const own = T(i) < halvings_;
       auto const next = doubled(half, A, B);
       half = {select(own, next.g, half.g), select(own, next.slope_less_one, half.slope_less_one),
-              select(own, next.s2, half.s2), select(own, next.t2, half.t2), select(own, next.E, half.E)};
+              select(own, next.s2, half.s2), select(own, next.t2, half.t2), select(own, next.s2t2, half.s2t2)};
     }
     return half;
   }
 
-  /// y' = (PEy₁ − λ₁GRy₂y₃, PRy₂ + λ₂GEy₁y₃, REy₃ − λ₃GPy₁y₂)/D
+  /// y' = (PEy₁ − λ₁GRy₂y₃, PRy₂ + λ₂GEy₁y₃, REy₃ − λ₃GPy₁y₂)/D    with e = λ₁λ₃G²y₂², D = E² − e
   Vector3<T> next(HalfStep<T> const& half, Vector3<T> const& y) const {
-    auto const f = whole(half, y);
-    T const E = half.E;
-    return {f.per_D * (f.P * E * y[0] - f.R * f.turn[0]), f.per_D * (f.P * f.R * y[1] + E * f.turn[1]),
-            f.per_D * (f.R * E * y[2] - f.P * f.turn[2])};
+    T const E = half.E(), P = E + half.p(), R = E + half.r(), g = half.g + half.g;
+    auto const turn = turning(T(g + g * half.slope_less_one), y);
+    T const per_D = T(1) / (E - (E * (T(1) - E) + turn.e));  // 1 − E is exact: a rounded E², like PE, would persist
+    return {per_D * (E * (P * y[0]) - R * turn.y1), per_D * (R * (P * y[1]) + E * turn.y2),
+            per_D * (E * (R * y[2]) - P * turn.y3)};
   }
 
-  /// y' − y = ((pE + e)y₁ − λ₁GRy₂y₃, ((p + r)E + pr + e)y₂ + λ₂GEy₁y₃, (rE + e)y₃ − λ₃GPy₁y₂)/D
+  /// The same less y, with what is near 1 taken apart: a rounded q or R would be the same in every step, and contradict p.
+  /// With u = 2g, e = λ₁λ₃u²y₂²(1 − s²)(1 − t²) and 1 + κ = qR, qE, qP
+  ///     y' − y = ((pE + e)y₁ − (1 + κ₁)λ₁uy₂y₃, (pE + rE + pr + e)y₂ + (1 + κ₂)λ₂uy₁y₃, (rE + e)y₃ − (1 + κ₃)λ₃uy₁y₂)/D
   Vector3<T> increment(HalfStep<T> const& half, Vector3<T> const& y) const {
-    auto const f = whole(half, y);
-    T const E = half.E;
-    return {f.per_D * ((f.p * E + f.e) * y[0] - f.R * f.turn[0]),
-            f.per_D * (((f.p + f.r) * E + (f.p * f.r + f.e)) * y[1] + E * f.turn[1]),
-            f.per_D * ((f.r * E + f.e) * y[2] - f.P * f.turn[2])};
+    T const E = half.E(), p = half.p(), r = half.r(), pE = p * E, rE = r * E;
+    auto const times_q = [&](T const& less_one) {
+      return half.slope_less_one + (less_one + half.slope_less_one * less_one);
+    };
+    T const kappa1 = times_q(r - half.s2t2), kappa2 = times_q(-half.s2t2), kappa3 = times_q(p - half.s2t2);
+    auto const turn = turning(T(half.g + half.g), y);
+    T const e = turn.e - turn.e * ((half.s2 + half.t2) - half.s2t2);
+    T const per_D = T(1) / (T(1) - (e + (half.s2t2 + E * half.s2t2)));
+    return {per_D * (((pE + e) * y[0] - kappa1 * turn.y1) - turn.y1),
+            per_D * ((((pE + rE) + (p * r + e)) * y[1] + kappa2 * turn.y2) + turn.y2),
+            per_D * (((rE + e) * y[2] - kappa3 * turn.y3) - turn.y3)};
   }
 
  private:
-  /// cn and dn (or dn and cn) are P/E and R/E
-  struct Whole {
-    T P, R;           ///< E + p, E + r
-    T p, r;           ///< of full relative accuracy
-    T e, per_D;       ///< e = λ₁λ₃G²y₂² and 1/D, D = E² − e
-    Vector3<T> turn;  ///< λ₁Gy₂y₃, λ₂Gy₁y₃, λ₃Gy₁y₂
+  /// λ₁uy₂y₃, λ₂uy₁y₃, λ₃uy₁y₂ and λ₁λ₃u²y₂²
+  struct Turning {
+    T y1, y2, y3, e;
   };
-
-  Whole whole(HalfStep<T> const& half, Vector3<T> const& y) const {
-    Whole f{};
-    T const s2 = half.s2 + half.s2, t2 = half.t2 + half.t2, g = half.g + half.g;
-    f.p = s2 * half.t2 - s2;
-    f.r = t2 * half.s2 - t2;
-    f.P = half.E + f.p;
-    f.R = half.E + f.r;
-    T const G = g + g * half.slope_less_one;
-    Vector3<T> const v{G * y[0], G * y[1], G * y[2]};
-    T const v1 = lambda_[0] * v[1], v3 = lambda_[2] * v[1];
-    f.e = v1 * v3;
-    f.per_D = T(1) / (squared(half.E) - f.e);
-    f.turn = {v1 * y[2], lambda_[1] * v[0] * y[2], v3 * y[0]};
-    return f;
+  Turning turning(T const& u, Vector3<T> const& y) const {
+    T const v = u * y[1], v1 = lambda_[0] * v, v3 = lambda_[2] * v;
+    return {v1 * y[2], lambda_[1] * (u * y[0]) * y[2], v3 * y[0], v1 * v3};
   }
 
   using Plans = std::array<SeriesPlan, static_cast<std::size_t>(lanes<T>)>;
@@ -141,12 +143,12 @@ class AdditionStep {
 
   static HalfStep<T> half_step(T const& g, T const& slope_less_one, T const& A, T const& B) {
     T const g2 = squared(g), s2 = A * g2, t2 = B * g2;
-    return {g, slope_less_one, s2, t2, T(1) - s2 * t2};
+    return {g, slope_less_one, s2, t2, s2 * t2};
   }
 
   static HalfStep<T> doubled(HalfStep<T> const& h, T const& A, T const& B) {
-    T const p = -(T(2) * h.s2 * (T(1) - h.t2) / h.E), r = -(T(2) * h.t2 * (T(1) - h.s2) / h.E);
-    T const g = T(2) * h.g * (T(1) + h.slope_less_one) / h.E;
+    T const E = h.E(), p = h.p() / E, r = h.r() / E;
+    T const g = T(2) * h.g * (T(1) + h.slope_less_one) / E;
     return half_step(g, p + r + p * r, A, B);
   }
 

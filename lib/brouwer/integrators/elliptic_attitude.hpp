@@ -42,8 +42,9 @@ W attitude_constant(RigidBody<W> const& body, Vector3<W> const& start, W const& 
 /// form. The rotation (1, c)/√(1 + |c|²) takes y' = y + d back to y: with M = y + y'
 ///     c = bM + 2 d×y/|M|²
 /// for some b, the only unknown. The discrete Moser–Veselov step with constants η, of which c = αη(M/2), is exact in
-/// momentum and attitude where η depends in the right way on the first integrals (FORMULAS §3: order infinity);
-/// comparing it with the addition theorem over the step gives, with g, q, E, λ of half the step (addition_step.hpp),
+/// momentum and attitude where η, as its preprocessing says, depends on the first integrals in the right way (dmv.hpp: the
+/// limit of its orders; measured to 70 digits in tests/contracts, not proved). Comparing it with the addition theorem
+/// over the step gives, with g, q, E, λ of half the step (addition_step.hpp),
 ///     b = (h/4) (gE/q) (2H(M)/|M|² + ρ) / (1 + λ₁λ₃g²y₂y₂')
 /// where ρ, of size h², depends on the first integrals and h alone. It is found once, at the start, from a quadrature.
 /// That Q y is conserved does not depend on it.
@@ -57,8 +58,12 @@ class EllipticAttitude {
 
   /// q(t+h) − q(t) for the attitude q before the step.
   Quaternion<T> increment(Quaternion<T> const& q, Vector3<T> const& y, Vector3<T> const& dy) const {
-    if (most_pieces_ == 1) return hamilton_product(q, turn_less_one(step_.half(y), y, dy));
-    return in_pieces(q, y, dy);
+    return hamilton_product(q, turn_less_one(step_.half(y), y, dy));
+  }
+
+  /// q(t)⁻¹ ⊗ q(t+h) − 1, with half of an addition step over the same h from y.
+  Quaternion<T> turn_less_one(HalfStep<T> const& half, Vector3<T> const& y, Vector3<T> const& dy) const {
+    return most_pieces_ == 1 ? turn_of_piece(half, y, dy) : turn_in_pieces(y, dy);
   }
 
  private:
@@ -115,7 +120,7 @@ class EllipticAttitude {
   }
 
   /// (1, c)/√(1 + |c|²) − 1 over a common denominator N = q(1 + λ₁λ₃g²y₂y₂')|M|²
-  Quaternion<T> turn_less_one(HalfStep<T> const& half, Vector3<T> const& y, Vector3<T> const& d) const {
+  Quaternion<T> turn_of_piece(HalfStep<T> const& half, Vector3<T> const& y, Vector3<T> const& d) const {
     using math::sqrt;
     T const y2_after = y[1] + d[1];
     Vector3<T> const M{unit_ * (y[0] + (y[0] + d[0])), unit_ * (y[1] + y2_after), unit_ * (y[2] + (y[2] + d[2]))};
@@ -123,7 +128,7 @@ class EllipticAttitude {
     T const q = T(1) + half.slope_less_one;
     T const below = q + q * ((lambda[0] * half.g * y[1]) * (lambda[2] * half.g * y2_after));
     T const weighted = kappa_[0] * squared(M[0]) + kappa_[1] * squared(M[1]) + kappa_[2] * squared(M[2]);
-    T const along = per_unit_ * half.g * half.E * weighted, across = (below + below) * squared(unit_);
+    T const along = per_unit_ * half.g * half.E() * weighted, across = (below + below) * squared(unit_);
     auto const side = cross(d, y);
     Vector3<T> const c{along * M[0] + across * side[0], along * M[1] + across * side[1],
                        along * M[2] + across * side[2]};
@@ -134,17 +139,16 @@ class EllipticAttitude {
   }
 
   /// Rare. A lane that needs fewer pieces than another stands still at its end.
-  [[gnu::noinline]] Quaternion<T> in_pieces(Quaternion<T> q, Vector3<T> y, Vector3<T> rest) const {
-    T const nothing = -T(0);  // added to anything it leaves every bit
-    Quaternion<T> turned(nothing, nothing, nothing, nothing);
+  [[gnu::noinline]] Quaternion<T> turn_in_pieces(Vector3<T> y, Vector3<T> rest) const {
+    Quaternion<T> turned(T(0), T(0), T(0), T(0));
     for (int i = 0; i < most_pieces_; ++i) {
       auto const half = step_.half(y);
       auto const d = select_vector<T>(T(i + 1) < pieces_, step_.increment(half, y), rest);
-      auto const turn = hamilton_product(q, turn_less_one(half, y, d));
+      auto const turn = turn_of_piece(half, y, d), more = hamilton_product(turned, turn);
       for (int j = 0; j < 4; ++j) {
-        T const part = select(T(i) < pieces_, turn.coeffs()[j], nothing);
-        q.coeffs()[j] += part;
-        turned.coeffs()[j] += part;
+        T& sum = turned.coeffs()[j];
+        T const next = i == 0 ? turn.coeffs()[j] : sum + (turn.coeffs()[j] + more.coeffs()[j]);
+        sum = select(T(i) < pieces_, next, sum);
       }
       y = {y[0] + d[0], y[1] + d[1], y[2] + d[2]};
       rest = {rest[0] - d[0], rest[1] - d[1], rest[2] - d[2]};
@@ -153,8 +157,8 @@ class EllipticAttitude {
   }
 
   T pieces_;
-  T unit_;  ///< about 1/|y|
-  T per_unit_;
+  T unit_;      ///< about 1/|y|
+  T per_unit_;  ///< h/4 of a piece over unit_, or less where g is larger
   int most_pieces_ = 1;
   std::array<T, 3> kappa_;  ///< 1/Iⱼ + ρ
   AdditionStep<T> step_;

@@ -24,6 +24,8 @@ class EllipticBase {
   RigidBody<T> const& body() const { return body_; }
   EllipticConstants<T> const& constants() const { return constants_; }
   T const& step_size() const { return h_; }
+  /// None where nothing asks for it.
+  std::optional<EllipticAttitude<T>> const& attitude() const { return attitude_; }
 
   /// The change of the state that belongs to a change of the momentum.
   State change(State const& s, Vector3<T> const& dy) const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <brouwer/systems/state.hpp>
@@ -69,6 +70,16 @@ concept IterativeStep = IncrementStep<S> &&
   { step.finish(y, e) } -> std::same_as<typename S::State>;
 };
 
+/// A Step that is a long chain of operations shows itself in stages, for the same reason. A step is
+///     stage<0>(y, w); …; stage<stages − 1>(y, w); finish(y, w)
+/// where finish alone changes y: in place, because stores are what a block of packs has fewest of.
+template <class S>
+concept StagedStep = Step<S> && requires(S const step, typename S::State const y, typename S::Work w) {
+  { S::stages } -> std::convertible_to<int>;
+  step.template stage<0>(y, w);
+  requires requires(typename S::State next) { step.finish(next, w); };
+};
+
 /// What a stepper sees of a state, and how a change is added: plainly, or with what rounding costs carried along.
 template <State S>
 S const& value_of(S const& y) {
@@ -80,7 +91,7 @@ S const& value_of(Compensated<S> const& y) {
 }
 template <State S>
 void add(S& y, S const& increment) {
-  y = sum(y, increment);
+  for_components([](auto& a, auto const& d) { a = a + d; }, y, increment);
 }
 template <State S>
 void add(Compensated<S>& y, S const& increment) {
@@ -122,6 +133,23 @@ template <IterativeStep S, class Y>
       for (std::size_t p = 0; p < packs; ++p) steppers[p].turn(value_of(states[p]), equations[p]);
     for (std::size_t p = 0; p < packs; ++p) steppers[p].settle(value_of(states[p]), equations[p], blind);
     for (std::size_t p = 0; p < packs; ++p) add(states[p], steppers[p].finish(value_of(states[p]), equations[p]));
+  }
+}
+
+template <StagedStep S, class Y>
+[[gnu::flatten]] void advance_block(std::span<S const> steppers, std::span<Y> states, std::int64_t steps) {
+  std::vector<typename S::Work> work(states.size());
+  std::size_t const packs = states.size();
+  for (std::int64_t i = 0; i < steps; ++i) {
+    [&]<int... stage>(std::integer_sequence<int, stage...>) {
+      (
+          [&] {
+            for (std::size_t p = 0; p < packs; ++p) steppers[p].template stage<stage>(value_of(states[p]), work[p]);
+          }(),
+          ...);
+    }
+    (std::make_integer_sequence<int, S::stages>());
+    for (std::size_t p = 0; p < packs; ++p) steppers[p].finish(states[p], work[p]);
   }
 }
 

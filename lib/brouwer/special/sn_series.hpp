@@ -121,22 +121,25 @@ class SnSeries {
 
   /// Horner in σ inside, in π outside.
   SnValues<T> operator()(T const& sigma, T const& pi) const {
-    auto term = terms_in_use_.begin();
-    SnValues<T> sum{T(0), T(0)};
-    for (int count = terms_ - 2 * ((terms_ - 1) / 2); count <= terms_; count += 2) {
-      SnValues<T> inner = *term++;
-      for (int i = 1; i < count; ++i, ++term) {
-        inner.g = inner.g * sigma + term->g;
-        inner.slope_less_one = inner.slope_less_one * sigma + term->slope_less_one;
-      }
-      sum.g = sum.g * pi + inner.g;
-      sum.slope_less_one = sum.slope_less_one * pi + inner.slope_less_one;
+    SnValues<T> const* term = terms_in_use_.data();
+    int powers = terms_ % 2 == 0 ? 2 : 1;
+    auto sum = power_sum(term, powers, sigma);
+    while ((powers += 2) <= terms_) {
+      auto const inner = power_sum(term, powers, sigma);
+      sum = {sum.g * pi + inner.g, sum.slope_less_one * pi + inner.slope_less_one};
     }
     return sum;
   }
 
  private:
   static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  static SnValues<T> power_sum(SnValues<T> const*& term, int powers, T const& sigma) {
+    SnValues<T> sum = *term++;
+    for (int i = 1; i < powers; ++i, ++term)
+      sum = {sum.g * sigma + term->g, sum.slope_less_one * sigma + term->slope_less_one};
+    return sum;
+  }
 
   /// log of Σⱼ |cₙⱼ| σ^{n−2j} (σ²/4)ʲ / (2n)!. All cₙⱼ of one n have the same sign.
   static double log_term_bound(int n, double sigma) {

@@ -23,7 +23,9 @@ struct RigidBodyState {
 template <class F, class S, class... Others>
 requires(std::same_as<std::remove_const_t<S>, RigidBodyState<typename S::Scalar>>) void for_components(
     F f, S& a, Others&... others) {
-  for (int i = 0; i < 3; ++i) f(a.momentum[i], others.momentum[i]...);
+  f(a.momentum[0], others.momentum[0]...);
+  f(a.momentum[1], others.momentum[1]...);
+  f(a.momentum[2], others.momentum[2]...);
   f(a.attitude.w(), others.attitude.w()...);
   f(a.attitude.x(), others.attitude.x()...);
   f(a.attitude.y(), others.attitude.y()...);
