@@ -152,7 +152,7 @@ TEST(DmvIteration, NeverTakesMoreThanTheLimitOfTurns) {
   for (auto const& c : generic_bodies())
     for (double h = 0.01; h < 1e4; h *= 1.1) {
       Dmv<double, 10, PerTrajectory> const step({c.body<double>(), h, c.start<double>()});
-      EXPECT_LT(step.blind_turns(), step.turn_limit) << c.name << ", h = " << h;
+      EXPECT_LT(step.blind_turns(), DmvTurns<double>::limit) << c.name << ", h = " << h;
     }
 }
 
