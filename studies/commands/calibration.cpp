@@ -42,9 +42,8 @@ class Block {
     for (std::int64_t i = 0; i < std::min(members, most_members); ++i)
       starts.push_back(rounded_to(own.arithmetic, member_start(study, system, i)));
     members_ = static_cast<double>(starts.size());
-    costs_.begin = seconds_of([&] {
-      trajectories_ = begin_trajectories(catalogue, cell, starts, observer.needs_attitude(), widest);
-    });
+    costs_.begin = seconds_of(
+        [&] { trajectories_ = begin_trajectories(catalogue, cell, starts, observer.needs_attitude(), widest); });
     state_.resize(system.state_components.size());
     std::size_t integrals = 0, states = 0;
     for (auto const& quantity : system.quantities)
@@ -72,9 +71,7 @@ class Block {
     });
   }
 
-  Costs of_one_member() const {
-    return {costs_.begin / members_, costs_.step / members_, costs_.sample / members_};
-  }
+  Costs of_one_member() const { return {costs_.begin / members_, costs_.step / members_, costs_.sample / members_}; }
 
  private:
   template <class Look>
@@ -94,8 +91,7 @@ class Block {
   Costs costs_;
 };
 
-CellCosts measured_here(Study const& study, Catalogue const& catalogue, CellLabels const& cell,
-                        InstructionSet widest) {
+CellCosts measured_here(Study const& study, Catalogue const& catalogue, CellLabels const& cell, InstructionSet widest) {
   CellCosts costs;
   Block block(study, catalogue, cell, cell, study.members, widest);
   block.measure_steps();

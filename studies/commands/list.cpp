@@ -31,7 +31,7 @@ std::string traits(MethodEntry const& method) {
   if (method.uses_special_functions) text += ", special functions apply";
   if (method.uses_coefficients) text += ", coefficients per step or per trajectory";
   if (method.runs_in_lanes) text += ", runs in lanes";
-  if (method.uses_libm) text += ", uses libm";
+  if (method.uses_libm) text += ", libm with others' functions and in long double";
   return text;
 }
 

@@ -44,8 +44,7 @@ Trial carry_out(Study const& study, Catalogue const& catalogue, RunOptions const
   Trial trial;
   auto const begin = std::chrono::steady_clock::now();
   for (auto const& unit : plan.units)
-    trial.records.push_back(
-        compute_unit(study, catalogue, plan, unit, "", progress, nullptr, options.widest).record);
+    trial.records.push_back(compute_unit(study, catalogue, plan, unit, "", progress, nullptr, options.widest).record);
   trial.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return trial;
 }

@@ -147,13 +147,15 @@ TYPED_TEST(StepperInLanes, LanesOfAPackEqualTheScalarRunBitForBit) {
   for (bool attitude : {true, false}) {
     expect_lanes_to_be_scalar_runs<TypeParam, Plain, double, 2, 4, 8>(attitude);
     expect_lanes_to_be_scalar_runs<TypeParam, Plain, float, 4, 8>(attitude);
-    expect_lanes_to_be_scalar_runs<TypeParam, Compensated, double, 2, 4, 8>(attitude);
-    expect_lanes_to_be_scalar_runs<TypeParam, Compensated, float, 4, 8>(attitude);
+    if constexpr (IncrementStep<typename TypeParam::template In<double>>) {
+      expect_lanes_to_be_scalar_runs<TypeParam, Compensated, double, 2, 4, 8>(attitude);
+      expect_lanes_to_be_scalar_runs<TypeParam, Compensated, float, 4, 8>(attitude);
+    }
   }
 }
 
 TYPED_TEST(StepperInLanes,
-           NeighboursNeedDifferentNumbersOfTurnsAndThreeOfThemFail) {  // so that the above means something
+           NeighboursNeedDifferentNumbersOfTurnsAndSomeOfThemFail) {  // so that the above means something
   using S = typename TypeParam::template In<double>;
   auto const members = members_of_all_kinds<double>(59, true);
   int failed = 0;
@@ -165,8 +167,9 @@ TYPED_TEST(StepperInLanes,
     if (std::isnan(y.momentum[0])) ++failed;
     if constexpr (IterativeStep<S>) turns.insert(step.blind_turns());
   }
-  EXPECT_EQ(failed, 3);
+  EXPECT_GE(failed, 2);  // no number at the start; for the iteration also a step that is too large
   if constexpr (IterativeStep<S>) {
+    EXPECT_EQ(failed, 3);
     EXPECT_GE(turns.size(), 5U);
   }
 }

@@ -9,16 +9,6 @@
 
 namespace brouwer {
 
-/// Momentum only: a pack has no attitude here.
-template <>
-class EllipticAttitude<Pack<double, 8>> {
-  using T = Pack<double, 8>;
-
- public:
-  EllipticAttitude(RigidBody<T> const&, EllipticConstants<T> const&, T const&, Vector3<T> const&) {}
-  Quaternion<T> increment(Quaternion<T> const& q, Vector3<T> const&, Vector3<T> const&) const { return q; }
-};
-
 namespace {
 
 using testing_support::BodyCase;

@@ -14,7 +14,9 @@ struct MethodText {
   char const* system;
   char const* summary;
   char const* source;
-  bool uses_libm = false;  ///< calls sin, cos, atan …: bits depend on the machine's libm
+  /// Its bits depend on the machine's libm (sin, cos, atan …) with GSL's and Boost's functions, and in long double; the
+  /// library's own functions of float, double and double-double do not.
+  bool uses_libm = false;
 };
 
 /// Calls visit(name, Functions{}) for every variant of the elliptic functions.

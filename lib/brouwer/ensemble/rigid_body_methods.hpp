@@ -28,7 +28,7 @@ void for_each_elliptic_method(Visit visit) {
         MethodText{"elliptic-branch-free", "rigid_body", "addition theorem without modulus, sign or branch, new values",
                    own, libm});
   visit(Plain<EllipticIncrement>{},
-        MethodText{"elliptic-increment", "rigid_body", "the same as increments, free of cancellation", own, libm});
+        MethodText{"elliptic-increment", "rigid_body", "the same as increments, free of cancellation", own});
 }
 
 template <class Visit>
