@@ -14,9 +14,10 @@ namespace {
 /// A study file is run as far as it is missing; a folder is judged as it is. Nothing: interrupted.
 std::optional<std::filesystem::path> results_of(StudyFile const& file, CheckCommand const& command,
                                                 Catalogue const& catalogue) {
+  RunOptions const options = run_options(command.settings);
   auto const folder = result_folder(file, command.settings);
   print_study(file, catalogue, folder);
-  return run_missing(file, catalogue, folder, command.settings) ? std::optional(folder) : std::nullopt;
+  return run_missing(file, catalogue, folder, options) ? std::optional(folder) : std::nullopt;
 }
 
 void refuse_nothing_to_check(StudyFile const& file) {

@@ -52,8 +52,8 @@ void print_cell(PlanCommand const& command, StudyFile const& file, Catalogue con
 int plan(PlanCommand const& command, Catalogue const& catalogue) {
   if (command.drift && !(*command.drift != 0 && std::isfinite(*command.drift)))
     throw InputError("--drift: expected a number other than 0");
-  StudyFile const file = read_study(command.study, catalogue, command.settings.overrides);
   RunOptions const options = run_options(command.settings);
+  StudyFile const file = read_study(command.study, catalogue, command.settings.overrides);
   print_study(file, catalogue, result_folder(file, command.settings));
   double seconds = 0;
   for (auto const& cell : file.plan.cells) {

@@ -11,10 +11,11 @@
 namespace brouwer {
 
 int run(RunCommand const& command, Catalogue const& catalogue) {
+  RunOptions const options = run_options(command.settings);
   StudyFile const file = read_study(command.study, catalogue, command.settings.overrides);
   auto const folder = result_folder(file, command.settings);
   print_study(file, catalogue, folder);
-  if (!run_missing(file, catalogue, folder, command.settings)) return interrupted;
+  if (!run_missing(file, catalogue, folder, options)) return interrupted;
   Findings const findings({folder.string()}, command.settings.levels);
   fmt::print("\n{}", render_table(findings.rows(), TableFormat::text));
   print_verdicts(findings.rows());

@@ -82,8 +82,7 @@ RunOptions run_options(RunSettings const& settings) {
 }
 
 bool run_missing(StudyFile const& file, Catalogue const& catalogue, std::filesystem::path const& folder,
-                 RunSettings const& settings) {
-  RunOptions options = run_options(settings);
+                 RunOptions options) {
   InterruptGuard const guard;
   Progress progress;
   bool finished = false;

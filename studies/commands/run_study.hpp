@@ -26,6 +26,6 @@ RunOptions run_options(RunSettings const& settings);
 /// Computes the units that are missing, with progress on standard error.
 /// @return false if interrupted; how to resume has been said then
 bool run_missing(StudyFile const& file, Catalogue const& catalogue, std::filesystem::path const& folder,
-                 RunSettings const& settings);
+                 RunOptions options);
 
 }  // namespace brouwer

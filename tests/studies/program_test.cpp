@@ -221,6 +221,21 @@ TEST_F(Program, PlansWithoutWriting) {
   EXPECT_FALSE(fs::exists(folder / "results"));
 }
 
+TEST_F(Program, SaysWhatItTakesToSeeADrift) {
+  auto const said = brouwer("plan toy.toml --drift 1e-19");
+  EXPECT_EQ(said.status, 0) << said.text;
+  EXPECT_THAT(said.text, HasSubstr("to see 1.0e-19 per step: "));
+  EXPECT_THAT(said.text, HasSubstr(" member-steps: "));
+  EXPECT_EQ(brouwer("plan toy.toml --drift 0").status, 2);
+}
+
+TEST_F(Program, GivesTheSameUnitsInAnyLanes) {
+  ASSERT_EQ(brouwer("run toy.toml --no-figures --lanes none -o one").status, 0);
+  ASSERT_EQ(brouwer("run toy.toml --no-figures -o widest").status, 0);
+  EXPECT_EQ(shell("cd " + folder.string() + " && diff -r one/units widest/units").status, 0);
+  EXPECT_THAT(brouwer("run toy.toml --lanes avx9").text, HasSubstr("no instruction set 'avx9'; did you mean 'avx2'?"));
+}
+
 TEST_F(Program, CompletesInShells) {
   EXPECT_EQ(shell("bash -c 'source <(" BROUWER_PROGRAM " completion bash) && complete -p brouwer'").status, 0);
   EXPECT_THAT(brouwer("completion zsh").text, StartsWith("#compdef brouwer"));
