@@ -142,8 +142,9 @@ TEST(InstructionSets, HaveNamesAndAreRefusedWhereTheProcessorLacksThem) {
   EXPECT_EQ(instruction_set("none"), InstructionSet::none);
   EXPECT_EQ(name_of(InstructionSet::avx512), "avx512");
   EXPECT_THAT([] { instruction_set("avx-2"); }, ThrowsMessage<InputError>(HasSubstr("'avx-2'; did you mean 'avx2'?")));
-  if (widest_instruction_set() < InstructionSet::avx512)
+  if (widest_instruction_set() < InstructionSet::avx512) {
     EXPECT_THAT([] { instruction_set("avx512"); }, ThrowsMessage<InputError>(HasSubstr("does not have avx512")));
+  }
 }
 
 }  // namespace
