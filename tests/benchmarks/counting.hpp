@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include <brouwer/scalar/exact.hpp>
-#include <brouwer/scalar/wider.hpp>
+#include <brouwer/scalar/double_double.hpp>
 #include <brouwer/special/elementary.hpp>
 
 namespace brouwer {
@@ -39,8 +38,8 @@ class Counting {
   constexpr Counting(I value) : value_(static_cast<E>(value)) {}  // NOLINT
   /// Rounded once where E is narrower.
   template <class U>
-  requires(std::constructible_from<E, U> && !std::same_as<U, E> && !std::integral<U>) constexpr explicit Counting(
-      U const& value)
+  requires(std::constructible_from<E, U> && !std::same_as<U, E> &&
+           !std::integral<U>) constexpr explicit Counting(U const& value)
       : value_(static_cast<E>(value)) {}
 
   constexpr E value() const { return value_; }
@@ -59,9 +58,7 @@ class Counting {
   Counting& operator/=(Counting b) { return *this = *this / b; }
 
   friend bool operator==(Counting a, Counting b) { return ++done.comparisons, a.value_ == b.value_; }
-  friend std::partial_ordering operator<=>(Counting a, Counting b) {
-    return ++done.comparisons, a.value_ <=> b.value_;
-  }
+  friend std::partial_ordering operator<=>(Counting a, Counting b) { return ++done.comparisons, a.value_ <=> b.value_; }
 
   friend Counting sqrt(Counting a) { return ++done.roots, std::sqrt(a.value_); }
   friend Counting fma(Counting a, Counting b, Counting c) {
@@ -89,6 +86,17 @@ struct Lanes<Counting<E>> {
   static constexpr int count = 1;
   static E get(Counting<E> a, int) { return a.value(); }
   static void set(Counting<E>& a, int, E value) { a = value; }
+};
+template <class E>
+struct Lanes<DoubleDouble<Counting<E>>> {
+  using Element = DoubleDouble<E>;
+  static constexpr int count = 1;
+  static Element get(DoubleDouble<Counting<E>> const& a, int) {
+    return Element(Exact<E>{a.high().value(), a.low().value()});
+  }
+  static void set(DoubleDouble<Counting<E>>& a, int, Element const& value) {
+    a = DoubleDouble<Counting<E>>(Exact<Counting<E>>{value.high(), value.low()});
+  }
 };
 
 }  // namespace brouwer

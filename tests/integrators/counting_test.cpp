@@ -31,7 +31,7 @@ TEST(Counting, IsReal) {
 TEST(Counting, CountsEveryOperationOnceByItsKind) {
   C const a(2), b(3);
   EXPECT_EQ(counted([&] { a + b - b; }), (Operations{.additions = 2}));
-  EXPECT_EQ(counted([&] { 2 * a * b / b; }), (Operations{.multiplications = 2, .divisions = 1}));
+  EXPECT_EQ(counted([&] { 2 * a* b / b; }), (Operations{.multiplications = 2, .divisions = 1}));
   EXPECT_EQ(counted([&] { sqrt(squared(a)); }), (Operations{.multiplications = 1, .roots = 1}));
   EXPECT_EQ(counted([&] { larger(a, b); }), (Operations{.comparisons = 1}));
   EXPECT_EQ(counted([&] { -abs(copysign(a, b)); }), Operations{});
