@@ -36,7 +36,9 @@ void report_share_of_peak(benchmark::State& state, Kernel const& kernel, StepCos
   };
   state.counters[counter_flops] = Counter(cost.flops, Counter::kAvgThreads);
   state.counters[counter_peak] = share(cost.flops / peak.multiply_and_add);
-  state.counters[counter_unit] = share(peak.least_time(cost));
+  state.counters[counter_adders] = share(peak.adders(cost));
+  state.counters[counter_multipliers] = share(peak.multipliers(cost));
+  state.counters[counter_divider] = share(peak.divider(cost));
 }
 
 }  // namespace

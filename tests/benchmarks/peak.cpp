@@ -112,10 +112,4 @@ Peak::Peak(InstructionSet set, std::string const& arithmetic)
       divide(PeakLoop(Mix::divide, set, arithmetic).rate()),
       root(PeakLoop(Mix::root, set, arithmetic).rate()) {}
 
-double Peak::least_time(StepCost const& cost) const {
-  double const products = cost.multiplications + cost.fused;
-  return std::max({cost.additions / add, products / multiply, (cost.additions + products) / multiply_and_add,
-                   cost.divisions / divide + cost.roots / root});
-}
-
 }  // namespace brouwer::benchmarks

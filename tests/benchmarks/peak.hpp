@@ -33,9 +33,10 @@ struct Peak {
   double multiply_and_add, add, multiply, divide, root;  ///< operations a nanosecond
 
   Peak(InstructionSet set, std::string const& arithmetic);
-  /// Nanoseconds below which a step cannot come: for additions, for multiplications (fused ones among them), for both, or
-  /// for divisions and roots, which share a unit.
-  double least_time(StepCost const& cost) const;
+  // Nanoseconds for which a step keeps a kind of unit busy at least.
+  double adders(StepCost const& cost) const { return cost.additions / add; }
+  double multipliers(StepCost const& cost) const { return (cost.multiplications + cost.fused) / multiply; }
+  double divider(StepCost const& cost) const { return cost.divisions / divide + cost.roots / root; }
 };
 
 }  // namespace brouwer::benchmarks

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <set>
 
 #include "tests/benchmarks/registered.hpp"
@@ -18,7 +19,7 @@ struct Baseline {
 };
 /// DMV10 of E. Hairer, G. Vilmart, coefficients per step, without potential; gfortran -O2
 constexpr Baseline fortran{"published Fortran", 74.9};
-/// E. Celledoni, A. Zanna, ACM Trans. Math. Softw. 37 (2010), algorithm 903, and what its momentum takes
+/// E. Celledoni, A. Zanna, ACM Trans. Math. Softw. 37 (2010) 24, with the attitude, and its momentum alone
 constexpr Baseline algorithm_903{"Algorithm 903", 1159};
 constexpr Baseline algorithm_903_momentum{"Algorithm 903, momentum", 485};
 /// the DMV10 step of the Fortran in boost::multiprecision::float128
@@ -34,6 +35,11 @@ struct Goal {
 };
 
 constexpr double h = 0.01, large_h = 0.1;
+#if defined(__clang__)
+constexpr char const* compiler = "";  // its version has its name
+#else
+constexpr char const* compiler = "g++";
+#endif
 constexpr int two = 2;
 
 class Performance {
@@ -148,7 +154,10 @@ class Performance {
     return kernel;
   }
 
-  static std::string number(std::optional<double> value) { return value ? fmt::format("{:.3g}", *value) : "–"; }
+  static std::string number(std::optional<double> value) {
+    if (!value) return "–";
+    return *value < 1000 ? fmt::format("{:.3g}", *value) : fmt::format("{:.0f}", *value);
+  }
   static std::string share(std::optional<Summary> const& value) {
     return value ? fmt::format("{:.0f} %", 100 * value->median) : "–";
   }
@@ -185,21 +194,23 @@ class Performance {
     auto const flops = results.of(name, counter_flops, threads);
     auto const nanoseconds = time(results, k), scalar = time(results, in_numbers(k));
     return {name + (threads > 1 ? fmt::format(", {} threads", threads) : ""),
-            measured ? fmt::format("{:.3g} ± {:.1f} %", measured->median, 100 * measured->spread) : "–",
+            measured ? fmt::format("{} ± {:.1f} %", number(measured->median), 100 * measured->spread) : "–",
             flops ? fmt::format("{:.0f}", flops->median) : "–",
             share(results.of(name, counter_peak, threads)),
-            share(results.of(name, counter_unit, threads)),
+            share(results.of(name, counter_adders, threads)),
+            share(results.of(name, counter_multipliers, threads)),
+            share(results.of(name, counter_divider, threads)),
             threads == 1 && k.set != InstructionSet::none && nanoseconds && scalar
                 ? fmt::format("{:.1f}", *scalar / *nanoseconds)
                 : "–"};
   }
 
-  static inline std::vector<std::string> const columns = {"kernel",  "ns per member-step", "flops",
-                                                          "of peak", "busiest unit",       "× scalar"};
+  static inline std::vector<std::string> const columns = {
+      "kernel", "ns per member-step", "flops", "of peak", "+ −", "×", "÷ √", "× scalar"};
 
   void print_goals(Results const& results) const {
     auto header = columns;
-    for (auto const* more : {"against", "its ns", "×", "goal", "reached"}) header.emplace_back(more);
+    for (auto const* more : {"against", "its ns", "ratio", "goal", "reached"}) header.emplace_back(more);
     TextTable table(header);
     for (auto const& goal : goals()) {
       auto line = described(results, goal.kernel, goal.threads);
@@ -228,8 +239,12 @@ class Performance {
 class TableReporter final : public benchmark::BenchmarkReporter {
  public:
   explicit TableReporter(Performance performance) : performance_(std::move(performance)) {}
-  bool ReportContext(Context const&) override {
-    fmt::print(stderr, "measuring for about a minute and a half …\n");
+  bool ReportContext(Context const& context) override {
+    auto const& load = context.cpu_info.load_avg;
+    fmt::print("{} processors, load {}, {} {}\n", context.cpu_info.num_cpus,
+               load.empty() ? "unknown" : fmt::format("{:.1f}", load.front()), compiler, __VERSION__);
+    std::fflush(stdout);
+    fmt::print(stderr, "measuring for about a minute …\n");
     return true;
   }
   void ReportRuns(std::vector<Run> const& runs) override {

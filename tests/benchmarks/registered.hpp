@@ -10,7 +10,10 @@ namespace brouwer::benchmarks {
 inline constexpr char const* counter_time = "ns/member-step";  ///< by the wall where threads share the work
 inline constexpr char const* counter_flops = "flops/member-step";
 inline constexpr char const* counter_peak = "of peak";  ///< flops over those of as many additions as multiplications
-inline constexpr char const* counter_unit = "busiest unit";  ///< share of the time that Peak::least_time fills
+// … and the shares of the time for which units are busy; one of them near 100 % binds.
+inline constexpr char const* counter_adders = "adders busy";
+inline constexpr char const* counter_multipliers = "multipliers busy";
+inline constexpr char const* counter_divider = "divider busy";
 /// … and of a peak's.
 inline constexpr char const* counter_rate = "operations/ns";
 
