@@ -45,22 +45,27 @@ Setup<typename S::System> setup_from(Start const& start, Kernel const& kernel) {
 constexpr int counted_members = 4;
 constexpr int counted_steps = 50;
 
+/// As Trajectories advance numbers or packs.
 template <class Y, class S>
-void take_steps(S const& step, typename S::State const& start) {
+void take_steps(S const& step, typename S::State const& start, bool packs) {
   Y y(start);
-  advance(step, y, counted_steps);
+  if (packs)
+    advance_block(std::span<S const>(&step, 1), std::span<Y>(&y, 1), counted_steps);
+  else
+    advance(step, y, counted_steps);
 }
 
 template <class S, class E>
 Operations count_all(std::vector<Start> const& starts, Kernel const& kernel) {
+  bool const packs = kernel.set != InstructionSet::none;
   Operations sum;
   for (std::size_t member = 0; member < counted_members; ++member) {
     auto const setup = setup_from<S>(starts[member], kernel);
     S const step(setup);
     auto& done = Counting<E>::done = sum;
     if constexpr (IncrementStep<S>)
-      if (kernel.cell.compensation) take_steps<Compensated<typename S::State>>(step, setup.start);
-    if (!kernel.cell.compensation) take_steps<typename S::State>(step, setup.start);
+      if (kernel.cell.compensation) take_steps<Compensated<typename S::State>>(step, setup.start, packs);
+    if (!kernel.cell.compensation) take_steps<typename S::State>(step, setup.start, packs);
     sum = done;
   }
   return sum;

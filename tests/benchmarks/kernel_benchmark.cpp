@@ -54,7 +54,7 @@ void register_kernel(std::shared_ptr<Catalogue const> const& catalogue, Kernel c
     if (auto const& counted = (*cost)()) report_share_of_peak(state, kernel, *counted, member_steps);
   };
   auto* const registered = benchmark::RegisterBenchmark(name_of(kernel).c_str(), run);
-  if (threads > 1) registered->Threads(threads)->UseRealTime();
+  if (threads > 1) registered->Threads(threads)->UseRealTime()->MinTime(0.1);  // by the wall: longer, or noise decides
 }
 
 }  // namespace brouwer::benchmarks
