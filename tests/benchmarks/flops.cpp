@@ -1,0 +1,91 @@
+#include "tests/benchmarks/flops.hpp"
+
+#include <brouwer/ensemble/rigid_body_methods.hpp>
+
+namespace brouwer::benchmarks {
+namespace {
+
+/// A counting scalar for a name: of E, which has the operations; nothing where it cannot be counted.
+template <class Use>
+void with_counting_scalar(std::string const& arithmetic, Use use) {
+  if (arithmetic == "float") use.template operator()<Counting<float>, float>();
+  if (arithmetic == "double") use.template operator()<Counting<double>, double>();
+  if (arithmetic == "double-double") use.template operator()<DoubleDouble<Counting<double>>, double>();
+}
+
+/// Sine, arc tangent … are our own operations in float and double, and a library's elsewhere.
+template <class Family>
+inline constexpr bool calls_functions = false;
+template <template <class, class> class S>
+inline constexpr bool calls_functions<OverFunctions<S>> = true;
+
+/// Calls use(std::type_identity<S>) for the kernel's stepper over T.
+template <class T, class Use>
+void with_stepper(Kernel const& kernel, Use use) {
+  TrajectoryRequest request;
+  request.special_functions = kernel.cell.special_functions;
+  request.coefficients = kernel.cell.coefficients;
+  auto const visit = [&]<class Family>(Family, MethodText const& text) {
+    if constexpr (OwnElementary<T> || !calls_functions<Family>)
+      if (text.name == kernel.cell.method) Family::template choose<T>(request, use);
+  };
+  for_each_elliptic_method(visit);
+  for_each_dmv_method(visit);
+}
+
+template <class S>
+Setup<typename S::System> setup_from(Start const& start, Kernel const& kernel) {
+  using T = typename S::Scalar;
+  std::vector<T> const parameters(start.parameters.begin(), start.parameters.end());
+  std::vector<T> const state(start.state.begin(), start.state.end());
+  return {typename S::System(std::span<T const>(parameters)), T(kernel.cell.step),
+          S::State::from_components(std::span<T const>(state)), kernel.attitude};
+}
+
+constexpr int counted_members = 4;
+constexpr int counted_steps = 50;
+
+/// As Trajectories advance numbers or packs.
+template <class Y, class S>
+void take_steps(S const& step, typename S::State const& start, bool packs) {
+  Y y(start);
+  if (packs)
+    advance_block(std::span<S const>(&step, 1), std::span<Y>(&y, 1), counted_steps);
+  else
+    advance(step, y, counted_steps);
+}
+
+template <class S, class E>
+Operations count_all(std::vector<Start> const& starts, Kernel const& kernel) {
+  bool const packs = kernel.set != InstructionSet::none;
+  Operations sum;
+  for (std::size_t member = 0; member < counted_members; ++member) {
+    auto const setup = setup_from<S>(starts[member], kernel);
+    S const step(setup);
+    auto& done = Counting<E>::done = sum;
+    if constexpr (IncrementStep<S>)
+      if (kernel.cell.compensation) take_steps<Compensated<typename S::State>>(step, setup.start, packs);
+    if (!kernel.cell.compensation) take_steps<typename S::State>(step, setup.start, packs);
+    sum = done;
+  }
+  return sum;
+}
+
+StepCost per_step(Operations const& all) {
+  auto const mean = [](std::int64_t n) { return static_cast<double>(n) / (counted_members * counted_steps); };
+  return {mean(all.additions), mean(all.multiplications), mean(all.divisions), mean(all.roots),
+          mean(all.fused),     mean(all.comparisons),     mean(all.flops())};
+}
+
+}  // namespace
+
+std::optional<StepCost> count_step(Catalogue const& catalogue, Kernel const& kernel) {
+  std::optional<StepCost> cost;
+  auto const starts = starts_of_members(catalogue, kernel.cell.system);
+  with_counting_scalar(kernel.cell.arithmetic, [&]<class T, class E>() {
+    with_stepper<T>(kernel, [&]<class S>(std::type_identity<S>) { cost = per_step(count_all<S, E>(starts, kernel)); });
+  });
+  return cost;
+}
+
+}  // namespace brouwer::benchmarks
