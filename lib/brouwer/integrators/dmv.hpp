@@ -19,7 +19,9 @@ namespace brouwer {
 /// m is rounded to its own ulp, and comes to rest on the side that it comes from: biased, and no smaller than the
 /// rounding of the increment. The increment is taken at m + r instead, r = y + αλmm − m, to first order in r, which also
 /// takes up what the iteration has left, but for a factor |αλm|. (Without it the energy of order 10 drifted by 8.6·10⁻¹⁹
-/// a step at h = 0.16, and by a drift of its own in every body.)
+/// a step at h = 0.16, and by a drift of its own in every body. What is left with compensation, standard test, 1024 members
+/// × 10⁵ steps: 5·10⁻²¹ at h = 0.16 (t = 12); at h = 0.1 1.2·10⁻²¹ for order 2 (t = 5) and none seen for order 10,
+/// (3 ± 5)·10⁻²²; at 0.05 and 0.01 none, below 6·10⁻²² and 10⁻²².)
 ///
 /// In double-double the iteration begins where that of the high parts, in double, comes to rest: half the turns are cheap.
 /// @tparam Inertia  what forms η from y: DmvModifiedInertia in every step, or void: η is the start's
