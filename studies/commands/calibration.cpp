@@ -38,9 +38,7 @@ class Block {
       : steps_(cell.steps) {
     auto const& system = catalogue.system(study.system);
     Observer const observer(system, study.quantities, 1, 1, 1);
-    std::vector<Start> starts;
-    for (std::int64_t i = 0; i < std::min(members, most_members); ++i)
-      starts.push_back(rounded_to(own.arithmetic, member_start(study, system, i)));
+    auto const starts = member_starts(study, system, own.arithmetic, 0, std::min(members, most_members));
     members_ = static_cast<double>(starts.size());
     costs_.begin = seconds_of(
         [&] { trajectories_ = begin_trajectories(catalogue, cell, starts, observer.needs_attitude(), widest); });

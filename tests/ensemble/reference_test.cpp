@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/ensemble/small_study.hpp"
 
 namespace brouwer {
@@ -64,6 +66,22 @@ TEST(DoubleDoubleReference, ThatFailsIsReplacedWithASentence) {
   EXPECT_EQ(record.reference, "mpfr-256");
   for (auto const& series : record.series)
     for (double e : series.errors) EXPECT_LT(std::abs(e), 1e-13) << series.name;
+}
+
+TEST(DoubleDoubleReference, ThatIsNoNumberInOneMemberAloneFails) {
+  auto catalogue = builtin_catalogue();
+  for (auto& method : catalogue.methods)
+    for (auto& maker : method.makers)
+      maker.begin = [sound = maker.begin](TrajectoryRequest request) {
+        if (request.arithmetic == "double-double") request.starts.front().state.front() = std::nan("");
+        return sound(request);
+      };
+  auto study = study_with_double_double();
+  study.methods = {"dmv-2"};
+  study.compensation = {false};
+  auto plan = make_plan(study, catalogue);
+  EXPECT_FALSE(check_reference(study, catalogue, plan.cells.front()).passed());
+  EXPECT_EQ(check_references(study, catalogue, plan).size(), 1U);
 }
 
 TEST(DoubleDoubleReference, AgreesWithFloat128ToTheLastDigitsOfAnError) {

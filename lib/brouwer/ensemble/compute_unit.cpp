@@ -102,7 +102,7 @@ class UnitWork {
         observer_(system_, study.quantities, unit.members, compared_members(study, unit), samples_.size()) {}
 
   UnitOutcome run(std::string const& hash) {
-    auto const starts = member_starts();
+    auto const starts = member_starts(study_, system_, cell_.arithmetic, unit_.first_member, unit_.members);
     auto const trajectories = begin_trajectories(catalogue_, cell_, starts, observer_.needs_attitude(), widest_);
     if (!observe_along(*trajectories, starts)) return {};
     UnitRecord record = labelled(hash);
@@ -116,13 +116,6 @@ class UnitWork {
   }
 
  private:
-  std::vector<Start> member_starts() const {
-    std::vector<Start> starts;
-    for (std::int64_t i = 0; i < unit_.members; ++i)
-      starts.push_back(rounded_to(cell_.arithmetic, member_start(study_, system_, unit_.first_member + i)));
-    return starts;
-  }
-
   UnitRecord labelled(std::string const& hash) const {
     UnitRecord record;
     record.study_hash = hash;

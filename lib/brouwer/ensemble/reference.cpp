@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace brouwer {
 namespace {
@@ -33,9 +34,7 @@ class Trio {
  public:
   Trio(Study const& study, Catalogue const& catalogue, CellLabels const& cell, std::int64_t members) {
     auto const& system = catalogue.system(study.system);
-    std::vector<Start> starts;
-    for (std::int64_t i = 0; i < members; ++i)
-      starts.push_back(rounded_to(cell.arithmetic, member_start(study, system, i)));
+    auto const starts = member_starts(study, system, cell.arithmetic, 0, members);
     for (auto const& each : {cell, reference_cell(cell, study.reference.arithmetic), reference_cell(cell, judge)})
       all_.push_back(begin_trajectories(catalogue, each, starts, true, widest_instruction_set()));
     exact_.resize(system.state_components.size());
@@ -47,13 +46,15 @@ class Trio {
     for (auto const& trajectories : all_) trajectories->advance(steps);
   }
 
-  /// The reference's error over the working arithmetic's; 0 where that has none, or has failed.
+  /// The reference's error over the working arithmetic's; 0 where that has none, or has failed; ∞ where the reference has.
   double ratio(std::size_t member) {
     all_[2]->state(member, exact_);
     all_[0]->state_errors(member, exact_, errors_);
     double const own = largest(errors_);
     all_[1]->state_errors(member, exact_, errors_);
-    return own > 0 && std::isfinite(own) ? largest(errors_) / own : 0;
+    if (!(own > 0 && std::isfinite(own))) return 0;
+    double const ratio = largest(errors_) / own;
+    return std::isfinite(ratio) ? ratio : std::numeric_limits<double>::infinity();
   }
 
  private:
@@ -85,10 +86,8 @@ ReferenceCheck check_reference(Study const& study, Catalogue const& catalogue, C
   for (std::int64_t const sample : checked_samples(study, cell)) {
     trio.advance(sample - check.steps);
     check.steps = sample;
-    for (std::int64_t i = 0; i < check.members; ++i) {
-      double const ratio = trio.ratio(static_cast<std::size_t>(i));
-      check.worst = ratio <= check.worst ? check.worst : ratio;  // NaN is the worst
-    }
+    for (std::int64_t i = 0; i < check.members; ++i)
+      check.worst = std::max(check.worst, trio.ratio(static_cast<std::size_t>(i)));
   }
   return check;
 }

@@ -117,6 +117,14 @@ Start rounded_to(std::string const& arithmetic, Start start) {
   return start;
 }
 
+std::vector<Start> member_starts(Study const& study, SystemDescription const& system, std::string const& arithmetic,
+                                 std::int64_t first, std::int64_t count) {
+  std::vector<Start> starts;
+  for (std::int64_t i = first; i < first + count; ++i)
+    starts.push_back(rounded_to(arithmetic, member_start(study, system, i)));
+  return starts;
+}
+
 std::unique_ptr<Trajectories> begin_trajectories(Catalogue const& catalogue, CellLabels const& cell,
                                                  std::vector<Start> const& starts, bool attitude,
                                                  InstructionSet widest) {

@@ -22,6 +22,10 @@ Start member_start(Study const& study, SystemDescription const& system, std::int
 double rounded_to(std::string const& arithmetic, double value);
 Start rounded_to(std::string const& arithmetic, Start start);
 
+/// The starts of `count` members from `first`, as `arithmetic` holds them.
+std::vector<Start> member_starts(Study const& study, SystemDescription const& system, std::string const& arithmetic,
+                                 std::int64_t first, std::int64_t count);
+
 /// Trajectories of a cell's method and arithmetic from `starts`: in the widest packs up to `widest` that the method has
 /// in this arithmetic, one by one where there are none or there is one member. The bits do not depend on it.
 /// @param attitude  false: nothing observed needs the attitude; it stays at its start
