@@ -1,5 +1,4 @@
 #pragma once
-#include <Eigen/Core>
 #include <cmath>
 #include <compare>
 #include <cstdint>
@@ -105,18 +104,4 @@ template <class E>
 struct std::numeric_limits<brouwer::Counting<E>> : std::numeric_limits<E> {};
 
 template <class E>
-struct Eigen::NumTraits<brouwer::Counting<E>> : Eigen::GenericNumTraits<brouwer::Counting<E>> {
-  using Real = brouwer::Counting<E>;
-  using NonInteger = Real;
-  using Nested = Real;
-  using Literal = Real;
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 0,
-    ReadCost = 1,
-    AddCost = 1,
-    MulCost = 1
-  };
-};
+struct Eigen::NumTraits<brouwer::Counting<E>> : brouwer::EigenTraits<brouwer::Counting<E>, 1, 1, 1> {};

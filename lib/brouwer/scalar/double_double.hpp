@@ -1,5 +1,4 @@
 #pragma once
-#include <Eigen/Core>
 #include <boost/multiprecision/number.hpp>
 #include <cmath>
 #include <concepts>
@@ -379,18 +378,4 @@ struct std::numeric_limits<brouwer::DoubleDouble<T>> : std::numeric_limits<T> {
 };
 
 template <class T>
-struct Eigen::NumTraits<brouwer::DoubleDouble<T>> : Eigen::GenericNumTraits<brouwer::DoubleDouble<T>> {
-  using Real = brouwer::DoubleDouble<T>;
-  using NonInteger = Real;
-  using Nested = Real;
-  using Literal = Real;
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 0,
-    ReadCost = 2,
-    AddCost = 20,
-    MulCost = 9
-  };
-};
+struct Eigen::NumTraits<brouwer::DoubleDouble<T>> : brouwer::EigenTraits<brouwer::DoubleDouble<T>, 2, 20, 9> {};
