@@ -41,11 +41,11 @@ class Block {
     auto const starts = member_starts(study, system, own.arithmetic, 0, std::min(members, most_members));
     members_ = static_cast<double>(starts.size());
     costs_.begin = seconds_of(
-        [&] { trajectories_ = begin_trajectories(catalogue, cell, starts, observer.needs_attitude(), widest); });
+        [&] { trajectories_ = begin_trajectories(catalogue, cell, starts, observer.needs_whole_state(), widest); });
     state_.resize(system.state_components.size());
     std::size_t integrals = 0, states = 0;
     for (auto const& quantity : system.quantities)
-      (quantity.needs_reference ? states : integrals) += quantity.components.size();
+      (quantity.needs_reference() ? states : integrals) += quantity.components.size();
     integral_errors_.resize(integrals * starts.size());
     state_errors_.resize(states);
   }

@@ -50,7 +50,7 @@ void list_quantities(Catalogue const& catalogue) {
   for (auto const& system : catalogue.systems)
     for (auto const& quantity : system.quantities)
       fmt::print("  {:<18} {}; {}{}\n", quantity.name, quantity.help, system.name,
-                 quantity.needs_reference ? "; needs a reference" : "");
+                 quantity.needs_reference() ? "; needs a reference" : "");
 }
 
 /// The question of a study, or what is the matter with the file.

@@ -18,7 +18,7 @@ namespace {
 
 /// How many members a row has in the whole study, from how many it had in the trial.
 std::int64_t members_of(Study const& study, Catalogue const& catalogue, Estimates const& row) {
-  bool const compared = catalogue.quantity(study.system, row.family).needs_reference;
+  bool const compared = catalogue.quantity(study.system, row.family).needs_reference();
   return compared ? study.reference.members : study.members;
 }
 

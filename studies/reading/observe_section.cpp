@@ -59,7 +59,7 @@ void refuse_missing_flow(Section& observe, SystemDescription const& system, Stud
 std::vector<std::string> observable(SystemDescription const& system, Reference const& reference) {
   std::vector<std::string> names;
   for (auto const& quantity : system.quantities)
-    if (!quantity.needs_reference || reference.kind != Reference::Kind::none) names.push_back(quantity.name);
+    if (!quantity.needs_reference() || reference.kind != Reference::Kind::none) names.push_back(quantity.name);
   return names;
 }
 
@@ -68,7 +68,7 @@ void refuse_missing_reference(Section& observe, SystemDescription const& system,
   for (auto const& quantity : system.quantities) {
     bool const wanted =
         std::find(study.quantities.begin(), study.quantities.end(), quantity.name) != study.quantities.end();
-    if (wanted && quantity.needs_reference)
+    if (wanted && quantity.needs_reference())
       observe.complain("quantities", fmt::format(": '{}' is an error against a reference, and observe.reference is "
                                                  "none; expected \"exact\" or an arithmetic such as \"float128\"",
                                                  quantity.name));

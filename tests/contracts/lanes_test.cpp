@@ -58,7 +58,7 @@ Member<P> packed(std::vector<Member<T>> const& members, std::size_t first) {
   }
   for (int j = 0; j < 4; ++j)
     start.attitude.coeffs()[j] = lanes_of([&](auto const& m) { return m.start.attitude.coeffs()[j]; });
-  return {RigidBody<P>(inertia), lanes_of([](auto const& m) { return m.step; }), start, members[0].attitude};
+  return {RigidBody<P>(inertia), lanes_of([](auto const& m) { return m.step; }), start, members[0].whole_state};
 }
 
 template <class T>

@@ -16,7 +16,7 @@ inline Quantity small_quantity(std::string name, std::vector<std::string> compon
   Quantity quantity;
   quantity.name = std::move(name);
   quantity.components = std::move(components);
-  quantity.needs_reference = needs_reference;
+  quantity.kind = needs_reference ? Quantity::Kind::state : Quantity::Kind::integral;
   return quantity;
 }
 

@@ -46,9 +46,9 @@ class Comparison {
  public:
   /// @param reference  "exact", or an arithmetic
   Comparison(Catalogue const& catalogue, CellLabels const& cell, std::string const& reference,
-             std::vector<Start> const& starts, bool attitude, InstructionSet widest)
+             std::vector<Start> const& starts, bool whole_state, InstructionSet widest)
       : exact_(reference == "exact"),
-        companion_(begin_trajectories(catalogue, exact_ ? cell : reference_cell(cell, reference), starts, attitude,
+        companion_(begin_trajectories(catalogue, exact_ ? cell : reference_cell(cell, reference), starts, whole_state,
                                       exact_ ? InstructionSet::none : widest)),
         state_(catalogue.system(cell.system).state_components.size()) {}
 
@@ -103,7 +103,7 @@ class UnitWork {
 
   UnitOutcome run(std::string const& hash) {
     auto const starts = member_starts(study_, system_, cell_.arithmetic, unit_.first_member, unit_.members);
-    auto const trajectories = begin_trajectories(catalogue_, cell_, starts, observer_.needs_attitude(), widest_);
+    auto const trajectories = begin_trajectories(catalogue_, cell_, starts, observer_.needs_whole_state(), widest_);
     if (!observe_along(*trajectories, starts)) return {};
     UnitRecord record = labelled(hash);
     for (auto const& start : starts) {
@@ -144,7 +144,7 @@ class UnitWork {
   /// The components of the state that are integrated in this unit.
   std::vector<std::string> integrated_components() const {
     auto names = system_.state_components;
-    if (!observer_.needs_attitude()) names.resize(system_.always_integrated);
+    if (!observer_.needs_whole_state()) names.resize(system_.always_integrated);
     return names;
   }
 
@@ -168,7 +168,7 @@ class UnitWork {
   std::unique_ptr<Comparison> begin_comparison(std::vector<Start> starts) const {
     starts.resize(static_cast<std::size_t>(compared_members(study_, unit_)));
     if (starts.empty() || !observer_.needs_reference()) return nullptr;
-    return std::make_unique<Comparison>(catalogue_, cell_, reference_, starts, observer_.needs_attitude(), widest_);
+    return std::make_unique<Comparison>(catalogue_, cell_, reference_, starts, observer_.needs_whole_state(), widest_);
   }
 
   Study const& study_;

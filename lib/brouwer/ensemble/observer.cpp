@@ -26,9 +26,9 @@ Observer::Observer(SystemDescription const& system, std::vector<std::string> con
     auto& places = with_reference ? states_ : integrals_;
     std::size_t place = 0;
     for (auto const& quantity : system.quantities) {
-      if (quantity.needs_reference != with_reference) continue;
+      if (quantity.needs_reference() != with_reference) continue;
       bool const wanted = contains(quantities, quantity.name);
-      needs_attitude_ = needs_attitude_ || (wanted && quantity.needs_attitude);
+      needs_whole_state_ = needs_whole_state_ || (wanted && quantity.needs_whole_state);
       needs_reference_ = needs_reference_ || (wanted && with_reference);
       for (auto const& component : quantity.components) {
         if (wanted) {

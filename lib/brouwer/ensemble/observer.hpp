@@ -14,8 +14,8 @@ class Observer {
   Observer(SystemDescription const& system, std::vector<std::string> const& quantities, std::int64_t members,
            std::int64_t compared, std::size_t samples);
 
-  /// Does anything observed need the attitude?
-  bool needs_attitude() const { return needs_attitude_; }
+  /// Does anything observed need more of the state than is always integrated?
+  bool needs_whole_state() const { return needs_whole_state_; }
   bool needs_reference() const { return needs_reference_; }
 
   /// Writes the errors of the first integrals of all members at one sample. A member one of whose errors is not finite
@@ -33,7 +33,7 @@ class Observer {
              std::size_t member, std::size_t sample);
 
   std::size_t samples_;
-  bool needs_attitude_ = false, needs_reference_ = false;
+  bool needs_whole_state_ = false, needs_reference_ = false;
   std::vector<Series> series_;                   // first integrals, then state errors
   std::vector<std::size_t> integrals_, states_;  // which of the trajectory's errors each series is
   std::size_t integral_count_ = 0;

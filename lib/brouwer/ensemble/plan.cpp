@@ -79,7 +79,7 @@ void check(Study const& study, Catalogue const& catalogue) {
   for (auto const& name : study.arithmetics) catalogue.arithmetic(name);
   check_coefficients(study.coefficients);
   for (auto const& name : study.quantities) {
-    bool const needs_reference = catalogue.quantity(study.system, name).needs_reference;
+    bool const needs_reference = catalogue.quantity(study.system, name).needs_reference();
     if (needs_reference && study.reference.kind == Reference::Kind::none)
       throw InputError(fmt::format("quantity '{}' needs a reference: add reference = \"exact\" or \"float128\"", name));
   }

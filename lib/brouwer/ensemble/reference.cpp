@@ -39,7 +39,7 @@ class Trio {
       all_.push_back(begin_trajectories(catalogue, each, starts, true, widest_instruction_set()));
     exact_.resize(system.state_components.size());
     for (auto const& quantity : system.quantities)
-      if (quantity.needs_reference) errors_.resize(errors_.size() + quantity.components.size());
+      if (quantity.needs_reference()) errors_.resize(errors_.size() + quantity.components.size());
   }
 
   void advance(std::int64_t steps) {
@@ -76,7 +76,7 @@ CellLabels reference_cell(CellLabels cell, std::string const& arithmetic) {
 
 bool needs_reference(Study const& study, Catalogue const& catalogue) {
   return std::any_of(study.quantities.begin(), study.quantities.end(),
-                     [&](auto const& name) { return catalogue.quantity(study.system, name).needs_reference; });
+                     [&](auto const& name) { return catalogue.quantity(study.system, name).needs_reference(); });
 }
 
 ReferenceCheck check_reference(Study const& study, Catalogue const& catalogue, CellLabels const& cell) {

@@ -126,10 +126,10 @@ std::vector<Start> member_starts(Study const& study, SystemDescription const& sy
 }
 
 std::unique_ptr<Trajectories> begin_trajectories(Catalogue const& catalogue, CellLabels const& cell,
-                                                 std::vector<Start> const& starts, bool attitude,
+                                                 std::vector<Start> const& starts, bool whole_state,
                                                  InstructionSet widest) {
   TrajectoryRequest const request{
-      cell.arithmetic, cell.special_functions, cell.coefficients, cell.compensation, attitude, cell.step, starts};
+      cell.arithmetic, cell.special_functions, cell.coefficients, cell.compensation, whole_state, cell.step, starts};
   auto const& method = catalogue.method(cell.system, cell.method);
   for (auto const* maker : makers_up_to(method, starts.size() > 1 ? widest : InstructionSet::none))
     if (auto made = maker->begin(request)) return made;
@@ -138,8 +138,8 @@ std::unique_ptr<Trajectories> begin_trajectories(Catalogue const& catalogue, Cel
 }
 
 std::unique_ptr<Trajectories> begin_trajectory(Catalogue const& catalogue, CellLabels const& cell, Start const& start,
-                                               bool attitude) {
-  return begin_trajectories(catalogue, cell, {start}, attitude, InstructionSet::none);
+                                               bool whole_state) {
+  return begin_trajectories(catalogue, cell, {start}, whole_state, InstructionSet::none);
 }
 
 }  // namespace brouwer

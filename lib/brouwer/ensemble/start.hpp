@@ -28,13 +28,13 @@ std::vector<Start> member_starts(Study const& study, SystemDescription const& sy
 
 /// Trajectories of a cell's method and arithmetic from `starts`: in the widest packs up to `widest` that the method has
 /// in this arithmetic, one by one where there are none or there is one member. The bits do not depend on it.
-/// @param attitude  false: nothing observed needs the attitude; it stays at its start
+/// @param whole_state  false: nothing observed needs all of it; parts may stay at their start
 std::unique_ptr<Trajectories> begin_trajectories(Catalogue const& catalogue, CellLabels const& cell,
-                                                 std::vector<Start> const& starts, bool attitude,
+                                                 std::vector<Start> const& starts, bool whole_state,
                                                  InstructionSet widest);
 
 /// The same for one member.
 std::unique_ptr<Trajectories> begin_trajectory(Catalogue const& catalogue, CellLabels const& cell, Start const& start,
-                                               bool attitude);
+                                               bool whole_state);
 
 }  // namespace brouwer

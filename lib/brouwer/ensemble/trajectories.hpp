@@ -23,7 +23,7 @@ struct TrajectoryRequest {
   std::string special_functions;
   std::string coefficients;  ///< per-step, per-trajectory; not asked for by a method without them
   bool compensation = false;
-  bool attitude = true;       ///< false: nothing asks for the attitude, leave it at its start
+  bool whole_state = true;    ///< false: the parts that nothing asks for may stay at their start
   double step = 0;            ///< h, held exactly; rounded to the arithmetic where that is narrower
   std::vector<Start> starts;  ///< of the members; at least one
 };

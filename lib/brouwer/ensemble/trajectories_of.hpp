@@ -78,7 +78,7 @@ class TrajectoriesIn : public Trajectories {
   explicit TrajectoriesIn(TrajectoryRequest const& request)
       : step_(static_cast<E>(request.step)), starts_(request.starts), flows_(starts_.size()) {
     for (std::size_t p = 0; p < packs(); ++p) {
-      auto const pack = setup(p, request.attitude);
+      auto const pack = setup(p, request.whole_state);
       origins_.emplace_back(pack.system.template in<O>(), observed({pack.start, nullptr}));
     }
   }
@@ -86,9 +86,9 @@ class TrajectoriesIn : public Trajectories {
   std::size_t packs() const { return (starts_.size() + lane_count - 1) / lane_count; }
 
   /// What the stepper of a pack is made from.
-  Setup<System> setup(std::size_t pack, bool attitude) const {
+  Setup<System> setup(std::size_t pack, bool whole_state) const {
     return {System(std::span<T const>(gathered(pack, &Start::parameters))), T(step_),
-            State::from_components(gathered(pack, &Start::state)), attitude};
+            State::from_components(gathered(pack, &Start::state)), whole_state};
   }
 
   /// A pack's state, and what rounding has cost it so far where that is carried along.
@@ -187,7 +187,7 @@ class TrajectoriesOf final : public TrajectoriesIn<typename S::System> {
   /// @param stepper  makes the step of a pack
   TrajectoriesOf(TrajectoryRequest const& request, S (*stepper)(Setup<typename S::System> const&)) : Base(request) {
     for (std::size_t p = 0; p < this->packs(); ++p) {
-      auto const setup = this->setup(p, request.attitude);
+      auto const setup = this->setup(p, request.whole_state);
       steppers_.push_back(stepper(setup));
       now_.emplace_back(setup.start);
     }

@@ -79,7 +79,7 @@ class DmvStep {
  protected:
   DmvStep(Setup<System> const& setup, std::conditional_t<per_step, Inertia, Nothing> const& inertia,
           Vector3<T> const& eta)
-      : attitude_(setup.attitude),
+      : attitude_(setup.whole_state),
         inertia_(inertia),
         constants_(eta),
         high_turns_(turns_of_high_parts(setup.start.momentum, eta)),

@@ -18,7 +18,7 @@ class EllipticBase {
 
  protected:
   explicit EllipticBase(Setup<System> const& setup) : body_(setup.system), constants_(setup.system), h_(setup.step) {
-    if (setup.attitude) attitude_.emplace(setup.system, constants_, setup.step, setup.start.momentum);
+    if (setup.whole_state) attitude_.emplace(setup.system, constants_, setup.step, setup.start.momentum);
   }
 
   RigidBody<T> const& body() const { return body_; }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <brouwer/systems/failure.hpp>
 #include <brouwer/systems/state.hpp>
 
 namespace brouwer {
@@ -17,8 +18,8 @@ struct Setup {
   System system;
   typename System::Scalar step;  ///< h, in the system's unit of time
   typename System::State
-      start;             ///< constants of one trajectory (first integrals, lengths of series) are taken from here
-  bool attitude = true;  ///< false: the part of the state that nothing asks for stays at its start
+      start;                ///< constants of one trajectory (first integrals, lengths of series) are taken from here
+  bool whole_state = true;  ///< false: a part of the state that nothing asks for may stay at its start
 };
 
 /// A step gives either the next value or the change; how a change is added, plainly or with compensation, is the state's
@@ -68,6 +69,14 @@ concept IterativeStep = IncrementStep<S> &&
   step.turn(y, e);
   step.settle(y, e, made);
   { step.finish(y, e) } -> std::same_as<typename S::State>;
+};
+
+/// A step whose iteration may take another number of turns each time can be asked how many it took: they are added to
+/// `turns`, lane by lane.
+template <class S>
+concept CountsIterations = IncrementStep<S> &&
+    requires(S const step, typename S::State const y, typename S::Scalar& turns) {
+  { step.increment(y, turns) } -> std::same_as<typename S::State>;
 };
 
 /// A Step that is a long chain of operations shows itself in stages, for the same reason. A step is

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -19,13 +20,27 @@ struct Field {
 
 /// Something that can be observed. Its components are scalars with a sign: the statistics want errors, not norms.
 struct Quantity {
+  enum class Kind {
+    integral,    ///< the error of a first integral since the start
+    state,       ///< the error of a state against a reference
+    iterations,  ///< no error but a count: turns of an iteration, per step since the start
+  };
   std::string name;
   std::vector<std::string> components;  ///< {"energy"} or {"spatial-momentum-1", …}
   std::string unit;
-  bool needs_reference = false;  ///< an error of the state, not of a first integral
-  bool needs_attitude = false;   ///< cannot be formed from the momentum alone
+  Kind kind = Kind::integral;
+  bool needs_whole_state = true;  ///< cannot be formed from the components that are always integrated
   std::string help;
+
+  bool needs_reference() const { return kind == Kind::state; }
 };
+
+/// Of methods that solve equations by iteration, whatever the system.
+inline Quantity iterations_quantity() {
+  return {"iterations", {"iterations"},
+          "per step",   Quantity::Kind::iterations,
+          false,        "turns of the method's iteration per step, mean since the start"};
+}
 
 using FieldValues = std::map<std::string, std::vector<double>>;
 
@@ -44,6 +59,18 @@ struct SystemDescription {
   std::function<std::optional<std::string>(FieldValues const&)> complaint;
   /// Puts values that were perturbed back where they must lie (a unit quaternion); may be empty.
   std::function<void(FieldValues&)> project = {};
+  /// What a user of these values should know ("the centre of mass moves …"), or nothing; may be empty.
+  std::function<std::optional<std::string>(FieldValues const&)> warning = {};
+  /// The two components of the state that show it best in a plane (indices).
+  std::array<std::size_t, 2> plane = {0, 1};
+
+  /// How many numbers the quantities of a kind have together.
+  std::size_t count(Quantity::Kind kind) const {
+    std::size_t components = 0;
+    for (auto const& quantity : quantities)
+      if (quantity.kind == kind) components += quantity.components.size();
+    return components;
+  }
 };
 
 }  // namespace brouwer

@@ -70,7 +70,7 @@ class RigidBody {
   /// Q y, in space
   Vector3<T> spatial_momentum(State const& s) const { return rotated(s.attitude, s.momentum); }
 
-  /// In the order of describe_rigid_body().quantities that need no reference.
+  /// In the order of describe_rigid_body()'s quantities of this kind.
   std::array<T, first_integral_count> first_integrals(State const& s) const {
     using math::sqrt;
     auto const spatial = spatial_momentum(s);
@@ -131,32 +131,35 @@ inline void normalise_attitude(FieldValues& values) {
 
 /// The rigid body as data. The standard values are the test of E. Hairer, G. Vilmart, J. Phys. A 39 (2006) 13225.
 inline SystemDescription describe_rigid_body() {
-  return {"rigid_body",
-          "free rigid body: angular momentum y in the body frame and attitude q (unit quaternion)",
-          {{"inertia", 3, true, "mass length^2", "moments of inertia, 0 < I1 <= I2 <= I3 <= I1 + I2", {0.6, 0.8, 1.0}},
-           {"momentum", 3, false, "mass length^2 / time", "angular momentum in the body frame", {1.8, 0.4, -0.9}},
-           {"attitude", 4, false, "1", "unit quaternion (q0, q1, q2, q3), body to space", {1, 0, 0, 0}}},
-          {{"energy", {"energy"}, "relative", false, false, "H = 1/2 sum y_j^2 / I_j; error relative to H(0)"},
-           {"casimir", {"casimir"}, "relative", false, false, "C = 1/2 |y|^2; error relative to C(0)"},
-           {"spatial-momentum",
-            {"spatial-momentum-1", "spatial-momentum-2", "spatial-momentum-3"},
-            "relative",
-            false,
-            true,
-            "Q y, constant in space; error relative to |y(0)|"},
-           {"attitude-norm", {"attitude-norm"}, "absolute", false, true, "|q|, which is 1"},
-           {"state",
-            {"momentum-1", "momentum-2", "momentum-3", "attitude-1", "attitude-2", "attitude-3"},
-            "momentum; rad",
-            true,
-            true,
-            "y - y*, and the rotation vector of q*^-1 q in the body frame (radians)"},
-           {"phase", {"phase"}, "time", true, false, "by how much time the momentum runs ahead of the reference"}},
-          {"y1", "y2", "y3", "q0", "q1", "q2", "q3"},
-          3,
-          true,
-          rigid_body_complaint,
-          normalise_attitude};
+  using Kind = Quantity::Kind;
+  return {
+      "rigid_body",
+      "free rigid body: angular momentum y in the body frame and attitude q (unit quaternion)",
+      {{"inertia", 3, true, "mass length^2", "moments of inertia, 0 < I1 <= I2 <= I3 <= I1 + I2", {0.6, 0.8, 1.0}},
+       {"momentum", 3, false, "mass length^2 / time", "angular momentum in the body frame", {1.8, 0.4, -0.9}},
+       {"attitude", 4, false, "1", "unit quaternion (q0, q1, q2, q3), body to space", {1, 0, 0, 0}}},
+      {{"energy", {"energy"}, "relative", Kind::integral, false, "H = 1/2 sum y_j^2 / I_j; error relative to H(0)"},
+       {"casimir", {"casimir"}, "relative", Kind::integral, false, "C = 1/2 |y|^2; error relative to C(0)"},
+       {"spatial-momentum",
+        {"spatial-momentum-1", "spatial-momentum-2", "spatial-momentum-3"},
+        "relative",
+        Kind::integral,
+        true,
+        "Q y, constant in space; error relative to |y(0)|"},
+       {"attitude-norm", {"attitude-norm"}, "absolute", Kind::integral, true, "|q|, which is 1"},
+       {"state",
+        {"momentum-1", "momentum-2", "momentum-3", "attitude-1", "attitude-2", "attitude-3"},
+        "momentum; rad",
+        Kind::state,
+        true,
+        "y - y*, and the rotation vector of q*^-1 q in the body frame (radians)"},
+       {"phase", {"phase"}, "time", Kind::state, false, "by how much time the momentum runs ahead of the reference"},
+       iterations_quantity()},
+      {"y1", "y2", "y3", "q0", "q1", "q2", "q3"},
+      3,
+      true,
+      rigid_body_complaint,
+      normalise_attitude};
 }
 
 }  // namespace brouwer
