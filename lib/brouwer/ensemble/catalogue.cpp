@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <brouwer/ensemble/builtin.hpp>
+#include <brouwer/ensemble/families.hpp>
 #include <brouwer/ensemble/method.hpp>
 #include <brouwer/error.hpp>
 #include <brouwer/spelling.hpp>
@@ -71,34 +71,30 @@ bool variant_exists(std::string const& variant, std::string const& arithmetic) {
   return exists;
 }
 
-std::vector<std::string> const& coefficient_levels() {
-  static std::vector<std::string> const names = [] {
-    std::vector<std::string> collected;
-    for_each_coefficients([&](char const* name, auto) { collected.emplace_back(name); });
-    return collected;
-  }();
-  return names;
+std::vector<std::string> coefficient_levels(Catalogue const& catalogue, std::string const& system) {
+  std::vector<std::string> levels;
+  for (auto const& method : catalogue.methods)
+    for (auto const& level : method.coefficients)
+      if (method.system == system && std::find(levels.begin(), levels.end(), level) == levels.end())
+        levels.push_back(level);
+  return levels;
 }
 
 Catalogue builtin_catalogue() {
   Catalogue catalogue;
   catalogue.arithmetics = arithmetic_entries();
   catalogue.systems.push_back(describe_rigid_body());
-  add_elliptic_methods(catalogue);
-  add_elliptic_software(catalogue);
-  add_dmv_methods(catalogue);
-  add_dmv_software(catalogue);
-  brouwer_add_elliptic_packs_sse2(catalogue);
-  brouwer_add_dmv_packs_sse2(catalogue);
+#define BROUWER_ADD_NUMBERS(family)         \
+  BROUWER_ADD(family, hardware)(catalogue); \
+  BROUWER_ADD(family, software)(catalogue);
+#define BROUWER_ADD_SSE2(family) BROUWER_ADD(family, sse2)(catalogue);
+#define BROUWER_ADD_AVX2(family) BROUWER_ADD(family, avx2)(catalogue);
+#define BROUWER_ADD_AVX512(family) BROUWER_ADD(family, avx512)(catalogue);
+  BROUWER_FAMILIES(BROUWER_ADD_NUMBERS)
+  BROUWER_FAMILIES(BROUWER_ADD_SSE2)
 #if defined(__x86_64__)
-  if (widest_instruction_set() >= InstructionSet::avx2) {
-    brouwer_add_elliptic_packs_avx2(catalogue);
-    brouwer_add_dmv_packs_avx2(catalogue);
-  }
-  if (widest_instruction_set() >= InstructionSet::avx512) {
-    brouwer_add_elliptic_packs_avx512(catalogue);
-    brouwer_add_dmv_packs_avx512(catalogue);
-  }
+  if (widest_instruction_set() >= InstructionSet::avx2) { BROUWER_FAMILIES(BROUWER_ADD_AVX2) }
+  if (widest_instruction_set() >= InstructionSet::avx512) { BROUWER_FAMILIES(BROUWER_ADD_AVX512) }
 #endif
   return catalogue;
 }

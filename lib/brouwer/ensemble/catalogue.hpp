@@ -28,7 +28,8 @@ struct MethodEntry {
   int order = 0;                        ///< 0: exact up to rounding
   bool compensable = false;             ///< has an increment to be summed with compensation
   bool uses_special_functions = false;  ///< the variants own, gsl, boost apply
-  bool uses_coefficients = false;       ///< modified coefficients, per step or per trajectory
+  std::vector<std::string> coefficients;  ///< levels of the factor `coefficients` that it has, the first is the standard
+  bool counts_iterations = false;         ///< the quantity `iterations` applies
   bool uses_libm = false;               ///< sin, cos, atan …: bits depend on the machine's libm
   bool runs_in_lanes = false;  ///< has no branch on data that cannot be masked: packs of float, double, double-double
   std::vector<TrajectoriesMaker> makers;
@@ -60,8 +61,8 @@ class Catalogue {
 std::vector<std::string> const& special_function_variants();
 bool variant_exists(std::string const& variant, std::string const& arithmetic);
 
-/// "per-step, per-trajectory": where a preprocessed method takes its modified coefficients from.
-std::vector<std::string> const& coefficient_levels();
+/// Levels of the factor `coefficients` that any method of a system has, each once.
+std::vector<std::string> coefficient_levels(Catalogue const& catalogue, std::string const& system);
 
 Catalogue builtin_catalogue();
 

@@ -35,18 +35,26 @@ void for_each_coefficients(Visit visit) {
 }
 
 // --- families: the steppers of one method ----------------------------------------------------------------------------
-// Each calls use(std::type_identity<S>) with the stepper over the scalar T that a request asks for, if it exists, and
-// knows what its option does to the method's entry.
+// Each is a value whose choose<T> calls use(std::type_identity<S>, make) with the class S of stepper over the scalar T
+// that a request asks for, if it exists, and what makes one from a Setup. It knows its order, and what its option does to
+// the method's entry.
+
+/// Makes a stepper, which may be a Core without what its constructor was.
+template <class S>
+auto constructed() {
+  return [](Setup<typename S::System> const& setup) -> typename CoreOf<S>::type { return S(setup); };
+}
 
 /// A stepper that is a template over the scalar alone.
 template <template <class> class S>
 struct Plain {
   using OfDouble = S<double>;
+  static constexpr int order() { return OfDouble::order; }
   static void describe(MethodEntry&) {}
 
   template <class T, class Use>
   static void choose(TrajectoryRequest const&, Use use) {
-    use(std::type_identity<S<T>>{});
+    use(std::type_identity<typename CoreOf<S<T>>::type>{}, constructed<S<T>>());
   }
 };
 
@@ -54,13 +62,17 @@ struct Plain {
 template <template <class, class> class S>
 struct OverFunctions {
   using OfDouble = S<double, OwnElliptic>;
+  static constexpr int order() { return OfDouble::order; }
   static void describe(MethodEntry& entry) { entry.uses_special_functions = true; }
 
   template <class T, class Use>
   static void choose(TrajectoryRequest const& request, Use use) {
     for_each_variant([&]<class Functions>(std::string const& name, Functions) {
       if constexpr (Functions::template exists_in<T>)
-        if (name == request.special_functions) use(std::type_identity<S<T, Functions>>{});
+        if (name == request.special_functions) {
+          using Chosen = S<T, Functions>;
+          use(std::type_identity<typename CoreOf<Chosen>::type>{}, constructed<Chosen>());
+        }
     });
   }
 };
@@ -69,13 +81,34 @@ struct OverFunctions {
 template <template <class, class> class S>
 struct OverCoefficients {
   using OfDouble = S<double, PerStep>;
-  static void describe(MethodEntry& entry) { entry.uses_coefficients = true; }
+  static constexpr int order() { return OfDouble::order; }
+  static void describe(MethodEntry& entry) {
+    for_each_coefficients([&](char const* name, auto) { entry.coefficients.emplace_back(name); });
+  }
 
   template <class T, class Use>
   static void choose(TrajectoryRequest const& request, Use use) {
     for_each_coefficients([&]<class Coefficients>(std::string const& name, Coefficients) {
-      if (name == request.coefficients) use(std::type_identity<S<T, Coefficients>>{});
+      if (name == request.coefficients) {
+        using Chosen = S<T, Coefficients>;
+        use(std::type_identity<typename CoreOf<Chosen>::type>{}, constructed<Chosen>());
+      }
     });
+  }
+};
+
+/// A stepper of any system whose method is data (weights, a tableau): one class for all methods of its kind.
+template <template <class> class S, template <class> class System, class Method>
+struct WithData {
+  using OfDouble = S<System<double>>;
+  Method const* method;
+  int order() const { return method->order; }
+  static void describe(MethodEntry&) {}
+
+  template <class T, class Use>
+  void choose(TrajectoryRequest const&, Use use) const {
+    use(std::type_identity<S<System<T>>>{},
+        [data = method](Setup<System<T>> const& setup) { return S<System<T>>(setup, *data); });
   }
 };
 
@@ -87,46 +120,44 @@ concept RunsInLanes = requires {
   requires S::runs_in_lanes;
 };
 
-template <class Family, class Arithmetics>
-std::unique_ptr<Trajectories> begin_numbers(TrajectoryRequest const& request) {
-  std::unique_ptr<Trajectories> made;
-  for_arithmetic<Arithmetics>(request.arithmetic, [&]<class T>(NamedArithmetic<T>) {
-    Family::template choose<T>(request, [&]<class S>(std::type_identity<S>) { made = begin_trajectories<S>(request); });
-  });
-  return made;
-}
-
-/// In packs of this translation unit's registers.
-template <class Family>
-std::unique_ptr<Trajectories> begin_packs(TrajectoryRequest const& request) {
-  std::unique_ptr<Trajectories> made;
-  for_arithmetic<HardwareArithmetics>(request.arithmetic, [&]<class T>(NamedArithmetic<T>) {
-    using P = typename PackOf<T, native_bytes>::type;
-    if constexpr (lanes < P >> 1)
-      Family::template choose<P>(request,
-                                 [&]<class S>(std::type_identity<S>) { made = begin_trajectories<S>(request); });
-  });
-  return made;
-}
-
 /// Adds some arithmetics, number by number, to a method's entry.
-template <class Family, class Arithmetics>
-void add_numbers(MethodEntry& entry) {
-  entry.makers.push_back({InstructionSet::none, begin_numbers<Family, Arithmetics>});
+template <class Arithmetics, class Family>
+void add_numbers(MethodEntry& entry, Family const& family) {
+  entry.makers.push_back({InstructionSet::none, [family](TrajectoryRequest const& request) {
+                            std::unique_ptr<Trajectories> made;
+                            for_arithmetic<Arithmetics>(request.arithmetic, [&]<class T>(NamedArithmetic<T>) {
+                              family.template choose<T>(request, [&]<class S>(std::type_identity<S>, auto make) {
+                                made = begin_trajectories<S>(request, make);
+                              });
+                            });
+                            return made;
+                          }});
 }
 
-/// Adds the packs of this translation unit.
+/// Adds the packs of this translation unit's registers.
 template <class Family>
-void add_packs(MethodEntry& entry) {
+void add_packs(MethodEntry& entry, Family const& family) {
   if constexpr (RunsInLanes<typename Family::OfDouble>)
-    entry.makers.push_back({native_instruction_set, begin_packs<Family>});
+    entry.makers.push_back({native_instruction_set, [family](TrajectoryRequest const& request) {
+                              std::unique_ptr<Trajectories> made;
+                              for_arithmetic<HardwareArithmetics>(
+                                  request.arithmetic, [&]<class T>(NamedArithmetic<T>) {
+                                    using P = typename PackOf<T, native_bytes>::type;
+                                    if constexpr (lanes < P >> 1)
+                                      family.template choose<P>(request,
+                                                                [&]<class S>(std::type_identity<S>, auto make) {
+                                                                  made = begin_trajectories<S>(request, make);
+                                                                });
+                                  });
+                              return made;
+                            }});
 }
 
 // --- entries of the catalogue -----------------------------------------------------------------------------------------
 
 /// Without makers.
 template <class Family>
-MethodEntry described(MethodText const& text) {
+MethodEntry described(Family const& family, MethodText const& text) {
   using S = typename Family::OfDouble;
   MethodEntry entry;
   entry.name = text.name;
@@ -134,36 +165,37 @@ MethodEntry described(MethodText const& text) {
   entry.summary = text.summary;
   entry.source = text.source;
   entry.uses_libm = text.uses_libm;
-  entry.order = S::order;
+  entry.order = family.order();
   entry.compensable = IncrementStep<S>;
+  entry.counts_iterations = CountsIterations<S>;
   entry.runs_in_lanes = RunsInLanes<S>;
-  Family::describe(entry);
+  family.describe(entry);
   return entry;
 }
 
 /// With everything that this translation unit can make.
 template <class Family>
-MethodEntry method_of(MethodText const& text) {
-  MethodEntry entry = described<Family>(text);
-  add_numbers<Family, AllArithmetics>(entry);
-  add_packs<Family>(entry);
+MethodEntry method_of(Family const& family, MethodText const& text) {
+  MethodEntry entry = described(family, text);
+  add_numbers<AllArithmetics>(entry, family);
+  add_packs(entry, family);
   return entry;
 }
 
 /// The entry of a stepper that is a template over the scalar alone: method<Dmv2>({"dmv-2", …}).
 template <template <class> class S>
 MethodEntry method(MethodText const& text) {
-  return method_of<Plain<S>>(text);
+  return method_of(Plain<S>{}, text);
 }
 /// … over the scalar and the elliptic functions that it calls.
 template <template <class, class> class S>
 MethodEntry method_with_functions(MethodText const& text) {
-  return method_of<OverFunctions<S>>(text);
+  return method_of(OverFunctions<S>{}, text);
 }
 /// … over the scalar and where it takes its modified coefficients from.
 template <template <class, class> class S>
 MethodEntry method_with_coefficients(MethodText const& text) {
-  return method_of<OverCoefficients<S>>(text);
+  return method_of(OverCoefficients<S>{}, text);
 }
 
 }  // namespace brouwer

@@ -13,59 +13,69 @@ bool contains(std::vector<std::string> const& names, std::string const& name) {
 
 Series empty_series(Quantity const& quantity, std::string const& component, std::int64_t members, std::size_t samples) {
   auto const entries = static_cast<std::size_t>(members) * samples;
-  return {component, quantity.name, quantity.unit, members,
-          std::vector<double>(entries, std::numeric_limits<double>::quiet_NaN())};
+  return {component, quantity.name,
+          quantity.unit, members,
+          std::vector<double>(entries, std::numeric_limits<double>::quiet_NaN()), quantity.kind == Quantity::Kind::iterations};
 }
 
 }  // namespace
 
-Observer::Observer(SystemDescription const& system, std::vector<std::string> const& quantities, std::int64_t members,
-                   std::int64_t compared, std::size_t samples)
-    : samples_(samples), failed_(static_cast<std::size_t>(members)) {
-  for (bool const with_reference : {false, true}) {
-    auto& places = with_reference ? states_ : integrals_;
-    std::size_t place = 0;
-    for (auto const& quantity : system.quantities) {
-      if (quantity.needs_reference() != with_reference) continue;
-      bool const wanted = contains(quantities, quantity.name);
-      needs_whole_state_ = needs_whole_state_ || (wanted && quantity.needs_whole_state);
-      needs_reference_ = needs_reference_ || (wanted && with_reference);
-      for (auto const& component : quantity.components) {
-        if (wanted) {
-          places.push_back(place);
-          series_.push_back(empty_series(quantity, component, with_reference ? compared : members, samples));
-        }
-        ++place;
-      }
-    }
-    if (with_reference)
-      state_errors_.resize(place);
-    else
-      integral_count_ = place;
-  }
+std::int64_t Observer::Members::of(Quantity::Kind kind) const {
+  return kind == Quantity::Kind::state ? compared : kind == Quantity::Kind::iterations ? counted : all;
 }
 
-void Observer::observe(Trajectories const& trajectories, std::size_t sample) {
-  integral_errors_.resize(trajectories.members() * integral_count_);
+Observer::Observer(SystemDescription const& system, std::vector<std::string> const& quantities, Members const& members,
+                   std::size_t samples)
+    : samples_(samples), failed_(static_cast<std::size_t>(members.all)) {
+  integrals_ = add_series(system, quantities, members, Quantity::Kind::integral);
+  states_ = add_series(system, quantities, members, Quantity::Kind::state);
+  iterations_ = add_series(system, quantities, members, Quantity::Kind::iterations);
+  state_errors_.resize(states_.count);
+}
+
+Observer::Group Observer::add_series(SystemDescription const& system, std::vector<std::string> const& quantities,
+                                     Members const& members, Quantity::Kind kind) {
+  Group group;
+  group.first = series_.size();
+  for (auto const& quantity : system.quantities) {
+    if (quantity.kind != kind) continue;
+    bool const wanted = contains(quantities, quantity.name);
+    needs_whole_state_ = needs_whole_state_ || (wanted && quantity.needs_whole_state);
+    for (auto const& component : quantity.components) {
+      if (wanted) {
+        group.places.push_back(group.count);
+        series_.push_back(empty_series(quantity, component, members.of(kind), samples_));
+      }
+      ++group.count;
+    }
+  }
+  return group;
+}
+
+void Observer::observe(Trajectories const& trajectories, std::size_t sample, std::int64_t steps) {
+  integral_errors_.resize(trajectories.members() * integrals_.count);
   trajectories.first_integral_errors(integral_errors_);
   for (std::size_t member = 0; member < trajectories.members(); ++member)
-    store(integrals_, std::span(integral_errors_).subspan(member * integral_count_, integral_count_), 0, member,
-          sample);
+    store(integrals_, std::span(integral_errors_).subspan(member * integrals_.count, integrals_.count), member, sample);
+  if (iterations_.places.empty() || series_[iterations_.first].members == 0) return;
+  for (std::size_t member = 0; member < trajectories.members(); ++member) {
+    double const per_step = trajectories.iterations(member) / static_cast<double>(steps);
+    store(iterations_, std::span(&per_step, 1), member, sample);
+  }
 }
 
 void Observer::observe_state(Trajectories const& trajectories, std::size_t member, std::span<Widest const> reference,
                              std::size_t sample) {
   trajectories.state_errors(member, reference, state_errors_);
-  store(states_, state_errors_, integrals_.size(), member, sample);
+  store(states_, state_errors_, member, sample);
 }
 
-void Observer::store(std::vector<std::size_t> const& places, std::span<double const> errors, std::size_t first_series,
-                     std::size_t member, std::size_t sample) {
+void Observer::store(Group const& group, std::span<double const> errors, std::size_t member, std::size_t sample) {
   if (failed_[member]) return;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    double const error = errors[places[i]];
+  for (std::size_t i = 0; i < group.places.size(); ++i) {
+    double const error = errors[group.places[i]];
     if (!std::isfinite(error)) failed_[member] = true;
-    series_[first_series + i].errors[member * samples_ + sample] =
+    series_[group.first + i].errors[member * samples_ + sample] =
         std::isfinite(error) ? error : std::numeric_limits<double>::quiet_NaN();
   }
 }

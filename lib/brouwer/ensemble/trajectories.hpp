@@ -1,10 +1,12 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <brouwer/scalar/mpfr.hpp>
+#include <brouwer/systems/failure.hpp>
 
 namespace brouwer {
 
@@ -21,11 +23,17 @@ struct Start {
 struct TrajectoryRequest {
   std::string arithmetic;
   std::string special_functions;
-  std::string coefficients;  ///< per-step, per-trajectory; not asked for by a method without them
+  std::string coefficients;  ///< per-step, standard …; not asked for by a method without them
   bool compensation = false;
   bool whole_state = true;    ///< false: the parts that nothing asks for may stay at their start
   double step = 0;            ///< h, held exactly; rounded to the arithmetic where that is narrower
   std::vector<Start> starts;  ///< of the members; at least one
+};
+
+/// When a member had no next state, and why.
+struct MemberFailure {
+  std::int64_t step = 0;  ///< after so many steps its state was still finite
+  Failure reason = Failure::none;
 };
 
 /// Some members of a cell under way, side by side. The scalar (a number, or a pack with a member in each lane), the
@@ -47,6 +55,12 @@ class Trajectories {
   /// Errors of a member's state against `reference` (a state from Trajectories::state or exact_state), in the order
   /// of the quantities that need a reference.
   virtual void state_errors(std::size_t member, std::span<Widest const> reference, std::span<double> errors) const = 0;
+
+  /// Turns of the method's iteration that a member took since the start; NaN where the method does not count any.
+  virtual double iterations(std::size_t member) const = 0;
+
+  /// Nothing while a member is well.
+  virtual std::optional<MemberFailure> failure(std::size_t member) const = 0;
 
   /// A member's first integrals now, rounded to Widest, in the order of first_integral_errors.
   virtual void first_integrals(std::size_t member, std::span<Widest> values) const = 0;

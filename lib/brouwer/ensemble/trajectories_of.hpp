@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -9,6 +10,7 @@
 #include <brouwer/integrators/stepper.hpp>
 #include <brouwer/scalar/observing.hpp>
 #include <brouwer/systems/exact_flow.hpp>
+#include <brouwer/systems/system.hpp>
 
 namespace brouwer {
 
@@ -36,7 +38,7 @@ class TrajectoriesIn : public Trajectories {
 
   void first_integrals(std::size_t member, std::span<Widest> values) const final {
     require_room(values.size(), System::first_integral_count);
-    auto const integrals = wide_system(member).first_integrals(wide_state(member));
+    auto const integrals = brouwer::first_integrals(wide_system(member), wide_state(member), W(step_));
     std::transform(integrals.begin(), integrals.end(), values.begin(), [](W const& v) { return Widest(v); });
   }
 
@@ -44,7 +46,7 @@ class TrajectoriesIn : public Trajectories {
     constexpr std::size_t count = System::first_integral_count;
     require_room(errors.size(), count * starts_.size());
     for (std::size_t p = 0; p < packs(); ++p) {
-      auto const integrals = origins_[p].system.first_integrals(observed(now(p)));
+      auto const integrals = brouwer::first_integrals(origins_[p].system, observed(now(p)), O(T(step_)));
       for (std::size_t k = 0; k < count; ++k) {
         O const error = (integrals[k] - origins_[p].integrals[k]) / origins_[p].scales[k];
         for (std::size_t i = p * lane_count; i < std::min((p + 1) * lane_count, starts_.size()); ++i)
@@ -74,12 +76,13 @@ class TrajectoriesIn : public Trajectories {
 
  protected:
   static constexpr std::size_t lane_count = lanes<T>;
+  static int lane_of(std::size_t member) { return static_cast<int>(member % lane_count); }
 
   explicit TrajectoriesIn(TrajectoryRequest const& request)
       : step_(static_cast<E>(request.step)), starts_(request.starts), flows_(starts_.size()) {
     for (std::size_t p = 0; p < packs(); ++p) {
       auto const pack = setup(p, request.whole_state);
-      origins_.emplace_back(pack.system.template in<O>(), observed({pack.start, nullptr}));
+      origins_.emplace_back(pack.system.template in<O>(), observed({pack.start, nullptr}), O(pack.step));
     }
   }
 
@@ -99,14 +102,12 @@ class TrajectoriesIn : public Trajectories {
   virtual Now now(std::size_t pack) const = 0;
 
  private:
-  static int lane_of(std::size_t member) { return static_cast<int>(member % lane_count); }
-
   /// What a pack's errors are relative to.
   struct Origin {
     ObservingSystem system;
     std::array<O, System::first_integral_count> integrals, scales;
-    Origin(ObservingSystem const& s, ObservedState const& start)
-        : system(s), integrals(s.first_integrals(start)), scales(s.first_integral_scales(start)) {}
+    Origin(ObservingSystem const& s, ObservedState const& start, O const& h)
+        : system(s), integrals(brouwer::first_integrals(s, start, h)), scales(s.first_integral_scales(start)) {}
   };
 
   /// The numbers of a part of the starts, one scalar a number: doubles are rounded to the arithmetic here, and nowhere
@@ -183,18 +184,43 @@ template <Step S, class Y>
 class TrajectoriesOf final : public TrajectoriesIn<typename S::System> {
  public:
   using Base = TrajectoriesIn<typename S::System>;
+  using T = typename Base::T;
 
-  /// @param stepper  makes the step of a pack
-  TrajectoriesOf(TrajectoryRequest const& request, S (*stepper)(Setup<typename S::System> const&)) : Base(request) {
+  /// @param stepper  makes the step of a pack from a Setup
+  template <class Make>
+  TrajectoriesOf(TrajectoryRequest const& request, Make const& stepper)
+      : Base(request), turns_(request.starts.size(), 0), failures_(request.starts.size()) {
     for (std::size_t p = 0; p < this->packs(); ++p) {
       auto const setup = this->setup(p, request.whole_state);
       steppers_.push_back(stepper(setup));
       now_.emplace_back(setup.start);
     }
+    note_failures(0);
   }
 
-  /// Numbers advance member by member, packs in blocks that stay in the first-level cache.
   void advance(std::int64_t steps) override {
+    before_ = now_;
+    if constexpr (CountsIterations<S>)
+      advance_counting(steps);
+    else
+      advance_all(steps);
+    note_failures(steps);
+    made_ += steps;
+  }
+
+  double iterations(std::size_t member) const override {
+    return CountsIterations<S> ? turns_[member] : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  std::optional<MemberFailure> failure(std::size_t member) const override { return failures_[member]; }
+
+ private:
+  /// Enough for the instructions of one pack to fill the latencies of another, and for all to stay in 48 KB: measured in
+  /// docs/performance.md.
+  static constexpr std::size_t packs_a_block = 4;
+
+  /// Numbers advance member by member, packs in blocks that stay in the first-level cache.
+  void advance_all(std::int64_t steps) {
     if constexpr (Base::lane_count == 1) {
       for (std::size_t i = 0; i < now_.size(); ++i) brouwer::advance(steppers_[i], now_[i], steps);
     } else {
@@ -207,10 +233,61 @@ class TrajectoriesOf final : public TrajectoriesIn<typename S::System> {
     }
   }
 
- private:
-  /// Enough for the instructions of one pack to fill the latencies of another, and for all to stay in 48 KB: measured in
-  /// docs/performance.md.
-  static constexpr std::size_t packs_a_block = 4;
+  /// Turns are summed in the scalar itself over so few steps that even a float counts them exactly.
+  void advance_counting(std::int64_t steps) requires CountsIterations<S> {
+    constexpr std::int64_t most = 10'000;
+    for (std::int64_t done = 0; done < steps; done += most)
+      for (std::size_t p = 0; p < now_.size(); ++p) {
+        T turns = T(0);
+        brouwer::advance(steppers_[p], now_[p], std::min(most, steps - done), turns);
+        for_members_of(p, [&](std::size_t member, int l) { turns_[member] += static_cast<double>(lane(turns, l)); });
+      }
+  }
+
+  /// A member that has become NaN walks again, alone and from where it was before the last steps, to see when and why: the
+  /// same bits come again, and the loop over steps never needs to look.
+  void note_failures(std::int64_t steps) {
+    for (std::size_t p = 0; p < now_.size(); ++p)
+      for_members_of(p, [&](std::size_t member, int l) {
+        if (!failures_[member] && !is_finite(value_of(now_[p]), l)) failures_[member] = failure_within(steps, p, l);
+      });
+  }
+
+  MemberFailure failure_within(std::int64_t steps, std::size_t p, int l) const {
+    if (steps == 0 || !is_finite(value_of(before_[p]), l)) return {made_, Failure::not_finite};
+    Y y = before_[p];
+    for (std::int64_t i = 0; i < steps; ++i) {
+      Y const last = y;
+      take_step(steppers_[p], y);
+      if (!is_finite(value_of(y), l)) return {made_ + i, reason(value_of(last), steppers_[p], l)};
+    }
+    return {made_ + steps, Failure::not_finite};
+  }
+
+  static Failure reason(typename S::State const& y, S const& step, int l) {
+    if constexpr (KnowsFailures<S, typename S::State>)
+      return step.failure(y, l);
+    else
+      return Failure::not_finite;
+  }
+
+  static bool is_finite(typename S::State const& y, int l) {
+    bool finite = true;
+    for_components(
+        [&](T const& c) {
+          auto const v = lane(c, l);
+          finite = finite && v - v == Element<T>(0);
+        },
+        y);
+    return finite;
+  }
+
+  /// f(member, lane) for the members in a pack.
+  template <class F>
+  void for_members_of(std::size_t p, F f) const {
+    for (std::size_t i = p * Base::lane_count; i < std::min((p + 1) * Base::lane_count, this->members()); ++i)
+      f(i, Base::lane_of(i));
+  }
 
   typename Base::Now now(std::size_t pack) const override {
     if constexpr (std::same_as<Y, typename S::State>)
@@ -220,18 +297,20 @@ class TrajectoriesOf final : public TrajectoriesIn<typename S::System> {
   }
 
   std::vector<S> steppers_;
-  std::vector<Y> now_;
+  std::vector<Y> now_, before_;  // before: where the last call to advance began
+  std::int64_t made_ = 0;        // steps
+  std::vector<double> turns_;    // of each member
+  std::vector<std::optional<MemberFailure>> failures_;
 };
 
 /// Trajectories of stepper S, plain or compensated; nothing where the latter is not compiled.
-template <Stepper S>
-std::unique_ptr<Trajectories> begin_trajectories(TrajectoryRequest const& request) {
-  using Core = typename CoreOf<S>::type;
-  auto const stepper = [](Setup<typename S::System> const& setup) -> Core { return S(setup); };
-  if (!request.compensation) return std::make_unique<TrajectoriesOf<Core, typename S::State>>(request, stepper);
+/// @param stepper  makes an S from a Setup
+template <Step S, class Make>
+std::unique_ptr<Trajectories> begin_trajectories(TrajectoryRequest const& request, Make const& stepper) {
+  if (!request.compensation) return std::make_unique<TrajectoriesOf<S, typename S::State>>(request, stepper);
   // compensated double-double is asked for by nobody in numbers that need packs
   if constexpr (IncrementStep<S> && !(lanes < typename S::Scalar >> 1 && significand_bits < typename S::Scalar >> 64))
-    return std::make_unique<TrajectoriesOf<Core, Compensated<typename S::State>>>(request, stepper);
+    return std::make_unique<TrajectoriesOf<S, Compensated<typename S::State>>>(request, stepper);
   return nullptr;
 }
 

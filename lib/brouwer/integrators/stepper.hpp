@@ -122,6 +122,12 @@ void advance(S const& step, Y& y, std::int64_t steps) {
   for (std::int64_t i = 0; i < steps; ++i) take_step(step, y);
 }
 
+/// The same, and how many turns of the method's iteration that took, lane by lane.
+template <CountsIterations S, class Y>
+void advance(S const& step, Y& y, std::int64_t steps, typename S::Scalar& turns) {
+  for (std::int64_t i = 0; i < steps; ++i) add(y, step.increment(value_of(y), turns));
+}
+
 /// The same for a block of states (packs of members), each with its stepper: step by step through all of them, so that
 /// a processor which reorders instructions overlaps one pack's with the next one's. Flattened: everything is inlined.
 template <Step S, class Y>

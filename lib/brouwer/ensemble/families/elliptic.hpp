@@ -1,17 +1,14 @@
 #pragma once
 #include <brouwer/ensemble/method.hpp>
-#include <brouwer/integrators/dmv.hpp>
 #include <brouwer/integrators/elliptic_branch_free.hpp>
 #include <brouwer/integrators/elliptic_naive.hpp>
 #include <brouwer/integrators/elliptic_three_constants.hpp>
 
-namespace brouwer {
-
-// The methods of the rigid body: the tables from which the catalogue is made and, for each instruction set, its packs.
-// Two, because each is compiled by itself. visit(Family{}, text) is called for every line.
+/// The rigid body by Jacobi's elliptic functions.
+namespace brouwer::families::elliptic {
 
 template <class Visit>
-void for_each_elliptic_method(Visit visit) {
+void for_each_method(Visit visit) {
   char const* const vilmart = "G. Vilmart, J. Comput. Phys. 227 (2008) 7083";
   char const* const own = "brouwer, lib/brouwer/integrators/addition_step.hpp";
   bool const libm = true;
@@ -31,15 +28,4 @@ void for_each_elliptic_method(Visit visit) {
         MethodText{"elliptic-increment", "rigid_body", "the same as increments, free of cancellation", own});
 }
 
-template <class Visit>
-void for_each_dmv_method(Visit visit) {
-  char const* const hairer_vilmart = "E. Hairer, G. Vilmart, J. Phys. A 39 (2006) 13225";
-  visit(Plain<Dmv2>{},
-        MethodText{"dmv-2", "rigid_body", "discrete Moser-Veselov algorithm in quaternions", hairer_vilmart});
-  visit(OverCoefficients<Dmv4>{}, MethodText{"dmv-4", "rigid_body", "the same, preprocessed", hairer_vilmart});
-  visit(OverCoefficients<Dmv6>{}, MethodText{"dmv-6", "rigid_body", "the same, preprocessed", hairer_vilmart});
-  visit(OverCoefficients<Dmv8>{}, MethodText{"dmv-8", "rigid_body", "the same, preprocessed", hairer_vilmart});
-  visit(OverCoefficients<Dmv10>{}, MethodText{"dmv-10", "rigid_body", "the same, preprocessed", hairer_vilmart});
-}
-
-}  // namespace brouwer
+}  // namespace brouwer::families::elliptic

@@ -1,0 +1,19 @@
+#pragma once
+#include <brouwer/ensemble/method.hpp>
+#include <brouwer/integrators/dmv.hpp>
+
+/// The discrete Moser–Veselov algorithm.
+namespace brouwer::families::dmv {
+
+template <class Visit>
+void for_each_method(Visit visit) {
+  char const* const hairer_vilmart = "E. Hairer, G. Vilmart, J. Phys. A 39 (2006) 13225";
+  visit(Plain<Dmv2>{},
+        MethodText{"dmv-2", "rigid_body", "discrete Moser-Veselov algorithm in quaternions", hairer_vilmart});
+  visit(OverCoefficients<Dmv4>{}, MethodText{"dmv-4", "rigid_body", "the same, preprocessed", hairer_vilmart});
+  visit(OverCoefficients<Dmv6>{}, MethodText{"dmv-6", "rigid_body", "the same, preprocessed", hairer_vilmart});
+  visit(OverCoefficients<Dmv8>{}, MethodText{"dmv-8", "rigid_body", "the same, preprocessed", hairer_vilmart});
+  visit(OverCoefficients<Dmv10>{}, MethodText{"dmv-10", "rigid_body", "the same, preprocessed", hairer_vilmart});
+}
+
+}  // namespace brouwer::families::dmv
