@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,9 +47,15 @@ struct Growth {
   Interval interval;
 };
 
-enum class Verdict { exact, random_walk, persistent_slopes, drift, bounded, faster_than_drift, not_resolved };
+/// Numbers of something, iterations per step say, over members and samples.
+struct Counted {
+  double mean = 0;
+  Interval range;  ///< smallest and largest
+};
 
-/// "random walk", "persistent slopes", "drift", "bounded", "superlinear", "exact", "not resolved"
+enum class Verdict { exact, random_walk, persistent_slopes, drift, bounded, faster_than_drift, not_resolved, count };
+
+/// "random walk", "persistent slopes", "drift", "bounded", "superlinear", "exact", "not resolved", "count"
 std::string to_string(Verdict verdict);
 
 /// Everything that the inference says of one quantity of one cell.
@@ -66,8 +73,10 @@ struct Estimates {
   double smallest_visible_drift = 0;  ///< per step, at levels.test with chance levels.power
   Levels levels;
   Verdict verdict = Verdict::not_resolved;
-  std::string sentence;            ///< the verdict in words, with the numbers that carry it
-  std::string time_unit = "step";  ///< what drift is per, for people: "step", "time unit"
+  std::string sentence;                 ///< the verdict in words, with the numbers that carry it
+  std::string time_unit = "step";       ///< what drift is per, for people: "step", "time unit"
+  std::vector<Failures> failures = {};  ///< of the members left out, by reason, those of most members first
+  std::optional<Counted> count;  ///< where it is no error but a number of something: no law of growth is estimated
 };
 
 }  // namespace brouwer

@@ -13,6 +13,7 @@ struct Selector {
   std::optional<std::string> method = {}, arithmetic = {}, special_functions = {}, coefficients = {};
   std::optional<bool> compensation = {};
   std::optional<double> step = {};
+  std::optional<Interval> step_range = {};  ///< low ≤ h ≤ high
   bool matches(CellLabels const& cell) const;
 };
 
@@ -31,9 +32,11 @@ struct Expectation {
   std::optional<Around> growth;  ///< exponent of t in every selected cell
   std::optional<Around> step_exponent;  ///< p in RMS = a·hᵖ·t^q fitted over the selected cells (at least three steps h)
   std::optional<bool> persistence;      ///< true: slopes must persist; false: they must not
-  std::vector<std::string> verdict;  ///< any of these words
-  std::optional<double> level;       ///< of the tests; otherwise Levels::test
-  int line = 0;                      ///< in the study file, for messages
+  std::vector<std::string> verdict;   ///< any of these words
+  std::optional<double> level;        ///< of the tests; otherwise Levels::test
+  int line = 0;                       ///< in the study file, for messages
+  std::optional<Interval> mean;       ///< the mean over members at the last sample lies inside
+  std::optional<Interval> rms_final;  ///< so does the RMS over members at the last sample
 };
 
 /// What became of one expectation in one cell (or over a sweep, for step_exponent).

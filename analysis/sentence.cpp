@@ -178,6 +178,7 @@ std::string body(Estimates const& e, Verdict verdict) {
       return bounded_sentence(e);
     case Verdict::faster_than_drift:
       return superlinear_sentence(e);
+    case Verdict::count:
     case Verdict::not_resolved:
       break;
   }

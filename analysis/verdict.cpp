@@ -97,6 +97,8 @@ std::string to_string(Verdict verdict) {
       return "bounded";
     case Verdict::faster_than_drift:
       return "superlinear";
+    case Verdict::count:
+      return "count";
     case Verdict::not_resolved:
       break;
   }

@@ -14,9 +14,12 @@ namespace brouwer {
 /// Attributes of the file: study_hash, the cell's labels, first_member, format, format_version. Data sets:
 ///
 ///     member (members)  step (samples)  time (samples)  start_component  state_component     what the axes mean
-///     errors/<series>   (members × samples)             attributes quantity, units, long_name, crc32
+///     errors/<series>   (members × samples)             attributes quantity, units, long_name, crc32; count where
+///                                                       it is a number of something and no error
 ///     start             (members × start components)
 ///     final_state       (members × state components)
+///     failed_at, failure (members)                      only where it was recorded which members failed
+///     states            (members × samples × state components)   only where the study asked for it
 ///
 /// Axes are dimension scales (H5DS), so that h5py, xarray and ncdump know them. A series that only the unit's
 /// first n members have lies along `member_<n>`.
@@ -28,8 +31,11 @@ void write_unit(std::filesystem::path const& file, UnitRecord const& record);
 /// structure with checksums of its own, `crc32` the numbers.
 UnitRecord read_unit(std::filesystem::path const& file);
 
-/// Reads everything but the numbers (errors, start and final state stay empty): cheap.
+/// Reads everything but the numbers (errors, states, start and final state stay empty), who failed and why: cheap.
 UnitRecord read_unit_header(std::filesystem::path const& file);
+
+/// Reads the states at the samples alone, [member][sample][state_names]; empty where the unit has none.
+std::vector<double> read_states(std::filesystem::path const& file);
 
 /// Reads one series, [member][sample], straight into `errors`, which must have its size.
 void read_series(std::filesystem::path const& file, std::string const& name, std::span<double> errors);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <functional>
+#include <numeric>
 
 #include <brouwer/error.hpp>
 #include <brouwer/store/file.hpp>
@@ -41,6 +42,8 @@ CellLabels read_labels(hid_t file) {
   return cell;
 }
 
+bool has_dataset(hid_t file, char const* name) { return checked(H5Lexists(file, name, H5P_DEFAULT)) > 0; }
+
 /// Length of a one-dimensional data set.
 std::size_t length(hid_t dataset) {
   auto const extent = hdf5::extent(dataset);
@@ -80,40 +83,62 @@ Series read_series_header(hid_t group, std::string const& name, UnitRecord const
       extent.size() == 2 && extent[0] <= static_cast<hsize_t>(unit.members) && extent[1] == unit.sample_steps.size();
   if (!fits) throw Failure("its arrays do not fit together");
   auto const members = static_cast<std::int64_t>(extent[0]);
-  return {name, hdf5::text(dataset, "quantity"), hdf5::text(dataset, "units"), members, {}};
+  bool const count = hdf5::has(dataset, unit_layout::count) && hdf5::integer(dataset, unit_layout::count) != 0;
+  return {name, hdf5::text(dataset, "quantity"), hdf5::text(dataset, "units"), members, {}, count};
+}
+
+/// Units from before failures were recorded, and those of which nothing was, do not have these lists.
+void read_failures(hid_t file, UnitRecord& unit) {
+  if (!has_dataset(file, unit_layout::failed_at) && !has_dataset(file, unit_layout::failure)) return;
+  Handle const at = hdf5::open(file, unit_layout::failed_at), why = hdf5::open(file, unit_layout::failure);
+  auto const members = static_cast<std::size_t>(unit.members);
+  if (length(at) != members || length(why) != members) throw Failure("its arrays do not fit together");
+  unit.failed_at.resize(members);
+  hdf5::read(at, std::span(unit.failed_at));
+  unit.failure = hdf5::read_texts(why);
 }
 
 UnitRecord read_header(hid_t file) {
   UnitRecord unit;
   unit.study_hash = hdf5::text(file, "study_hash");
   unit.cell = read_labels(file);
+  if (hdf5::has(file, "reference")) unit.reference = hdf5::text(file, "reference");
   unit.first_member = hdf5::integer(file, "first_member");
   unit.members = static_cast<std::int64_t>(length(hdf5::open(file, unit_layout::member)));
   if (unit.first_member < 0 || unit.first_member > max_member) throw Failure("its members have no number");
   unit.sample_steps = read_steps(file);
   unit.start_names = hdf5::read_texts(hdf5::open(file, unit_layout::start_component));
   unit.state_names = hdf5::read_texts(hdf5::open(file, unit_layout::state_component));
+  read_failures(file, unit);
   Handle const group(H5Gopen2(file, unit_layout::errors, H5P_DEFAULT));
   for (auto const& name : names_in(group)) unit.series.push_back(read_series_header(group, name, unit));
   return unit;
 }
 
-/// A data set of `rows` × `columns` numbers.
-std::vector<double> read_table(hid_t group, std::string const& name, std::int64_t rows, std::size_t columns) {
+/// A data set of this shape; hdf5::extent has made sure that the file holds as many numbers.
+std::vector<double> read_array(hid_t group, std::string const& name, hdf5::Extent const& shape) {
   Handle const dataset = hdf5::open(group, name);
-  if (hdf5::extent(dataset) != hdf5::Extent{static_cast<hsize_t>(rows), columns})
-    throw Failure("its arrays do not fit together");
-  std::vector<double> numbers(static_cast<std::size_t>(rows) * columns);
+  if (hdf5::extent(dataset) != shape) throw Failure("its arrays do not fit together");
+  std::vector<double> numbers(std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()));
   hdf5::read(dataset, std::span(numbers));
   return numbers;
 }
 
+/// [member][sample][state component]; nothing where the study did not ask for it.
+std::vector<double> read_states(hid_t file, UnitRecord const& unit) {
+  if (!has_dataset(file, unit_layout::states)) return {};
+  return read_array(file, unit_layout::states,
+                    {static_cast<hsize_t>(unit.members), unit.sample_steps.size(), unit.state_names.size()});
+}
+
 void read_numbers(hid_t file, UnitRecord& unit) {
-  unit.start = read_table(file, unit_layout::start, unit.members, unit.start_names.size());
-  unit.final_state = read_table(file, unit_layout::final_state, unit.members, unit.state_names.size());
+  auto const members = static_cast<hsize_t>(unit.members);
+  unit.start = read_array(file, unit_layout::start, {members, unit.start_names.size()});
+  unit.final_state = read_array(file, unit_layout::final_state, {members, unit.state_names.size()});
+  unit.states = read_states(file, unit);
   Handle const group(H5Gopen2(file, unit_layout::errors, H5P_DEFAULT));
   for (auto& series : unit.series)
-    series.errors = read_table(group, series.name, series.members, unit.sample_steps.size());
+    series.errors = read_array(group, series.name, {static_cast<hsize_t>(series.members), unit.sample_steps.size()});
 }
 
 /// Runs `read` on the opened file; what HDF5 says of it becomes a sentence about the file.
@@ -140,6 +165,10 @@ UnitRecord read_unit(std::filesystem::path const& file) {
     read_numbers(opened, unit);
     return unit;
   });
+}
+
+std::vector<double> read_states(std::filesystem::path const& file) {
+  return reading(file, [](Handle const& opened) { return read_states(opened, read_header(opened)); });
 }
 
 void read_series(std::filesystem::path const& file, std::string const& name, std::span<double> errors) {

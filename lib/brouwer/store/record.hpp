@@ -31,6 +31,16 @@ struct Series {
   std::string unit;            ///< for people
   std::int64_t members = 0;    ///< the unit's first members that have it (all, unless it needs a reference)
   std::vector<double> errors;  ///< [member][sample], row-major; NaN from the sample on at which a member failed
+  bool count = false;  ///< a number of something, iterations per step say: it has a mean and a spread but no law of
+                       ///< growth
+};
+
+/// Members that have no next state for one reason.
+struct Failures {
+  std::string reason;  ///< "the iteration did not converge"; "" where none was recorded
+  std::int64_t members = 0;
+  std::int64_t first_step = -1;  ///< the earliest step at which one of them failed; −1 where not recorded
+  bool operator==(Failures const&) const = default;
 };
 
 /// What one work unit observed: a block of consecutive members of one cell.
@@ -47,6 +57,12 @@ struct UnitRecord {
   std::vector<double> start;             ///< [member][start_names]: exactly what was integrated
   std::vector<std::string> state_names;  ///< y1 … q3
   std::vector<double> final_state;       ///< [member][state_names], rounded to double
+
+  std::vector<std::int64_t> failed_at;  ///< [member]: the step at which it had no next state, or −1; empty in units
+                                        ///< from before this was recorded
+  std::vector<std::string> failure;     ///< [member]: why, in words ("the iteration did not converge"); "" where none
+  std::vector<double> states;           ///< [member][sample][state_names], rounded to double, for pictures of phase
+                                        ///< space; empty unless the study asked for it
 };
 
 }  // namespace brouwer

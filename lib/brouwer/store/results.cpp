@@ -137,6 +137,7 @@ Ensemble Results::load(std::size_t number, std::string const& quantity) const {
   auto const& first = parts.front().header;
   Ensemble ensemble{
       cell.labels, quantity, first.quantity, first.unit, {steps.begin(), steps.end()}, read(parts, std::ssize(steps))};
+  ensemble.count = first.count;
   ensemble.failed = drop_failed(ensemble.errors);
   return ensemble;
 }

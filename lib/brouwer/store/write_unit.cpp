@@ -1,3 +1,4 @@
+#include <functional>
 #include <hdf5_hl.h>  // H5DS: dimension scales
 #include <map>
 #include <numeric>
@@ -80,8 +81,10 @@ class UnitFile {
     put_time();
     put_table(unit_layout::start, unit_layout::start_component, record_.start_names, record_.start,
               "parameters and state that were integrated");
-    put_table(unit_layout::final_state, unit_layout::state_component, record_.state_names, record_.final_state,
-              "state after the last step, rounded to double");
+    Axis const state = put_table(unit_layout::final_state, unit_layout::state_component, record_.state_names,
+                                 record_.final_state, "state after the last step, rounded to double");
+    put_failures();
+    put_states(state);
     Handle const group = ordered_group(file_, unit_layout::errors);
     for (auto const& series : record_.series) put_series(group, series);
     return bytes_of(file_);
@@ -107,15 +110,15 @@ class UnitFile {
 
   template <class Values>
   Axis axis(std::string const& name, Values const& values, std::string const& meaning) {
-    Handle dataset = create_axis(name, values);
+    Handle dataset = create_list(name, values);
     checked(H5DSset_scale(dataset, name.c_str()));
     set(dataset, "long_name", meaning);
     return {std::move(dataset), values.size()};
   }
-  Handle create_axis(std::string const& name, std::span<std::int64_t const> values) {
+  Handle create_list(std::string const& name, std::span<std::int64_t const> values) {
     return hdf5::create(file_, name, {values.size()}, values);
   }
-  Handle create_axis(std::string const& name, std::vector<std::string> const& names) {
+  Handle create_list(std::string const& name, std::vector<std::string> const& names) {
     return hdf5::create(file_, name, names);
   }
 
@@ -135,26 +138,54 @@ class UnitFile {
     set(time, "long_name", "time, steps times step size");
   }
 
-  Handle put(hid_t group, std::string const& name, Axis const& rows, Axis const& columns,
+  /// An array along these axes, row-major.
+  Handle put(hid_t group, std::string const& name, std::vector<Axis const*> const& axes,
              std::vector<double> const& values) {
-    if (values.size() != rows.size * columns.size) throw std::logic_error("unit record: wrong size of " + name);
-    Handle dataset = hdf5::create(group, name, {rows.size, columns.size}, values);
-    checked(H5DSattach_scale(dataset, rows.scale, 0));
-    checked(H5DSattach_scale(dataset, columns.scale, 1));
+    Extent extent;
+    for (auto const* along : axes) extent.push_back(along->size);
+    auto const size = std::accumulate(extent.begin(), extent.end(), hsize_t{1}, std::multiplies<>());
+    if (values.size() != size) throw std::logic_error("unit record: wrong size of " + name);
+    Handle dataset = hdf5::create(group, name, extent, values);
+    for (unsigned i = 0; i < axes.size(); ++i) checked(H5DSattach_scale(dataset, axes[i]->scale, i));
     return dataset;
   }
 
-  void put_table(char const* name, char const* component, std::vector<std::string> const& names,
+  Axis put_table(char const* name, char const* component, std::vector<std::string> const& names,
                  std::vector<double> const& values, std::string const& meaning) {
-    Axis const columns = axis(component, names, "component");
-    set(put(file_, name, members(record_.members), columns, values), "long_name", meaning);
+    Axis columns = axis(component, names, "component");
+    set(put(file_, name, {&members(record_.members), &columns}, values), "long_name", meaning);
+    return columns;
+  }
+
+  /// One value a member.
+  template <class Values>
+  void put_list(char const* name, Values const& values, std::string const& meaning) {
+    Axis const& rows = members(record_.members);
+    if (values.size() != rows.size) throw std::logic_error(std::string("unit record: wrong size of ") + name);
+    Handle const dataset = create_list(name, values);
+    checked(H5DSattach_scale(dataset, rows.scale, 0));
+    set(dataset, "long_name", meaning);
+  }
+
+  /// Absent where nothing is recorded, so that what older units hold is the same bytes when it is written again.
+  void put_failures() {
+    if (record_.failed_at.empty() && record_.failure.empty()) return;
+    put_list(unit_layout::failed_at, std::span(record_.failed_at), "step at which a member had no next state, or -1");
+    put_list(unit_layout::failure, record_.failure, "why it had none");
+  }
+
+  void put_states(Axis const& components) {
+    if (record_.states.empty()) return;
+    set(put(file_, unit_layout::states, {&members(record_.members), &step_, &components}, record_.states), "long_name",
+        "state at the samples, rounded to double");
   }
 
   void put_series(hid_t group, Series const& series) {
-    Handle const dataset = put(group, series.name, members(series.members), step_, series.errors);
+    Handle const dataset = put(group, series.name, {&members(series.members), &step_}, series.errors);
     set(dataset, "quantity", series.quantity);
     set(dataset, "units", series.unit);
-    set(dataset, "long_name", "error of " + series.name);
+    set(dataset, "long_name", (series.count ? "" : "error of ") + series.name);
+    if (series.count) set(dataset, unit_layout::count, std::int64_t{1});
   }
 
   UnitRecord const& record_;
