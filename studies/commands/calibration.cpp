@@ -37,17 +37,14 @@ class Block {
         std::int64_t members, InstructionSet widest)
       : steps_(cell.steps) {
     auto const& system = catalogue.system(study.system);
-    Observer const observer(system, study.quantities, 1, 1, 1);
+    Observer const observer(system, study.quantities, {}, 1);
     auto const starts = member_starts(study, system, own.arithmetic, 0, std::min(members, most_members));
     members_ = static_cast<double>(starts.size());
     costs_.begin = seconds_of(
         [&] { trajectories_ = begin_trajectories(catalogue, cell, starts, observer.needs_whole_state(), widest); });
     state_.resize(system.state_components.size());
-    std::size_t integrals = 0, states = 0;
-    for (auto const& quantity : system.quantities)
-      (quantity.needs_reference() ? states : integrals) += quantity.components.size();
-    integral_errors_.resize(integrals * starts.size());
-    state_errors_.resize(states);
+    integral_errors_.resize(system.count(Quantity::Kind::integral) * starts.size());
+    state_errors_.resize(system.count(Quantity::Kind::state));
   }
 
   void measure_steps() {

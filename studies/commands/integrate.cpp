@@ -40,7 +40,8 @@ std::string hexadecimal(Widest const& x) {
 std::vector<std::string> integral_names(SystemDescription const& system) {
   std::vector<std::string> names;
   for (auto const& quantity : system.quantities)
-    if (!quantity.needs_reference()) names.insert(names.end(), quantity.components.begin(), quantity.components.end());
+    if (quantity.kind == Quantity::Kind::integral)
+      names.insert(names.end(), quantity.components.begin(), quantity.components.end());
   return names;
 }
 

@@ -29,16 +29,20 @@ std::string traits(MethodEntry const& method) {
   std::string text = method.order == 0 ? "exact up to rounding" : fmt::format("order {}", method.order);
   if (method.compensable) text += ", compensation applies";
   if (method.uses_special_functions) text += ", special functions apply";
-  if (method.uses_coefficients) text += ", coefficients per step or per trajectory";
+  if (!method.coefficients.empty()) text += fmt::format(", coefficients {}", fmt::join(method.coefficients, ", "));
+  if (method.counts_iterations) text += ", counts iterations";
   if (method.runs_in_lanes) text += ", runs in lanes";
   if (method.uses_libm) text += ", libm with others' functions and in long double";
   return text;
 }
 
 void list_methods(Catalogue const& catalogue) {
-  for (auto const& method : catalogue.methods)
-    fmt::print("  {:<26} {}\n{:30}{}; {}; {}\n", method.name, method.summary, "", method.system, traits(method),
-               method.source);
+  for (auto const& system : catalogue.systems) {
+    fmt::print("  of {}\n", system.name);
+    for (auto const& method : catalogue.methods)
+      if (method.system == system.name)
+        fmt::print("    {:<26} {}\n{:32}{}; {}\n", method.name, method.summary, "", traits(method), method.source);
+  }
 }
 
 void list_arithmetics(Catalogue const& catalogue) {

@@ -22,6 +22,7 @@ Study shortened(Study study, CellLabels const& cell, std::int64_t steps) {
   study.methods = {cell.method};
   study.arithmetics = {cell.arithmetic};
   if (cell.special_functions != no_level) study.special_functions = {cell.special_functions};
+  study.coefficients.clear();
   if (cell.coefficients != no_level) study.coefficients = {cell.coefficients};
   study.compensation = {cell.compensation};
   study.step = {cell.step};
@@ -30,6 +31,13 @@ Study shortened(Study study, CellLabels const& cell, std::int64_t steps) {
   study.members = std::min(study.members, trial_members);
   study.reference.members = std::min(study.reference.members, study.members);
   study.samples.count = std::min(study.samples.count, steps);
+  return study;
+}
+
+/// A trial is about errors; and a count may not be of this cell's method.
+Study without_counts(Study study, SystemDescription const& system) {
+  for (auto const& quantity : system.quantities)
+    if (quantity.kind == Quantity::Kind::iterations) std::erase(study.quantities, quantity.name);
   return study;
 }
 
@@ -51,9 +59,10 @@ Trial carry_out(Study const& study, Catalogue const& catalogue, RunOptions const
 
 /// Trials of 8, 16, 32 … steps, until one has taken long enough.
 Trial longest_trial(Study const& study, Catalogue const& catalogue, CellLabels const& cell, RunOptions const& options) {
+  Study const observed = without_counts(study, catalogue.system(study.system));
   std::int64_t const limit = std::min(trial_steps, cell.steps);
   for (std::int64_t steps = std::min<std::int64_t>(8, limit);; steps = std::min(2 * steps, limit)) {
-    auto trial = carry_out(shortened(study, cell, steps), catalogue, options);
+    auto trial = carry_out(shortened(observed, cell, steps), catalogue, options);
     if (steps == limit || trial.seconds > enough_seconds) return trial;
   }
 }

@@ -10,7 +10,7 @@
 namespace brouwer {
 namespace {
 
-/// An interval [low, high] of drifts per step.
+/// An interval [low, high].
 Kind<Interval> band() {
   return {"a list [low, high] with low < high", [](toml::node const& node) -> std::optional<Interval> {
             auto const ends = numbers(2).read(node);
@@ -36,15 +36,30 @@ std::vector<std::string> or_none(std::vector<std::string> levels) {
   return levels;
 }
 
+/// One step size, or those from one to another: { from = 0.02, to = 0.2 }.
+void read_step(Section& where, Selector& selector) {
+  toml::node const* node = where.find("step");
+  if (!node || !node->is_table()) {
+    selector.step = where.value("step", positive());
+    return;
+  }
+  Section range = where.section("step");
+  auto const from = range.required("from", positive()), to = range.required("to", positive());
+  if (from && to) selector.step_range = Interval{*from, *to};
+  if (from && to && *from > *to) range.complain(fmt::format("{}: from is larger than to", range.path()));
+  range.refuse_unknown_keys();
+}
+
 Selector read_selector(Section where, Catalogue const& catalogue, std::string const& system) {
   Selector selector;
   selector.method = where.value("method", one_of("method", method_names(catalogue, system)));
   selector.arithmetic = where.value("arithmetic", one_of("arithmetic", names_of(catalogue.arithmetics)));
   selector.special_functions =
       where.value("special_functions", one_of("variant", or_none(special_function_variants())));
-  selector.coefficients = where.value("coefficients", one_of("level of coefficients", or_none(coefficient_levels())));
+  selector.coefficients =
+      where.value("coefficients", one_of("level of coefficients", or_none(coefficient_levels(catalogue, system))));
   selector.compensation = where.value("compensation", flag());
-  selector.step = where.value("step", positive());
+  read_step(where, selector);
   where.refuse_unknown_keys();
   return selector;
 }
@@ -84,7 +99,7 @@ std::optional<bool> read_persistence(Section& expect) {
 }
 
 bool claims_something(Section& expect) {
-  for (auto const* key : {"drift", "growth", "step_exponent", "persistence", "verdict"})
+  for (auto const* key : {"drift", "growth", "step_exponent", "persistence", "verdict", "mean", "rms"})
     if (expect.has(key)) return true;
   return false;
 }
@@ -99,10 +114,14 @@ Expectation read_expectation(Section& expect, Catalogue const& catalogue, std::s
   expectation.step_exponent = read_around(expect, "step_exponent");
   expectation.persistence = read_persistence(expect);
   expectation.verdict = expect.levels("verdict", one_of("verdict", verdict_words()));
+  expectation.mean = expect.value("mean", band());
+  expectation.rms_final = expect.value("rms", band());
   expectation.level = expect.value("level", above_up_to(0, 0.5));
   expect.refuse_unknown_keys();
   if (!claims_something(expect))
-    expect.complain("the expectation claims nothing, expected drift, growth, step_exponent, persistence or verdict");
+    expect.complain(
+        "the expectation claims nothing, expected drift, growth, step_exponent, "
+        "persistence, verdict, mean or rms");
   return expectation;
 }
 

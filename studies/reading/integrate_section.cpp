@@ -31,8 +31,8 @@ void read_integrate(Section& root, Catalogue const& catalogue, Study& study) {
                               {std::string("double")});
   study.special_functions = or_else(
       integrate.levels("special_functions", one_of("variant", special_function_variants())), {std::string("own")});
-  study.coefficients = or_else(integrate.levels("coefficients", one_of("level of coefficients", coefficient_levels())),
-                               study.coefficients);
+  study.coefficients =
+      integrate.levels("coefficients", one_of("level of coefficients", coefficient_levels(catalogue, study.system)));
   study.compensation = or_else(integrate.levels("compensation", flag()), {false});
   study.step = integrate.levels("step", positive());
   read_length(integrate, study);

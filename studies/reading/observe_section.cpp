@@ -55,11 +55,13 @@ void refuse_missing_flow(Section& observe, SystemDescription const& system, Stud
                                               system.name));
 }
 
-/// Everything that can be observed with the reference that there is.
+/// Every error that can be observed with the reference that there is.
 std::vector<std::string> observable(SystemDescription const& system, Reference const& reference) {
   std::vector<std::string> names;
   for (auto const& quantity : system.quantities)
-    if (!quantity.needs_reference() || reference.kind != Reference::Kind::none) names.push_back(quantity.name);
+    if (quantity.kind == Quantity::Kind::integral ||
+        (quantity.kind == Quantity::Kind::state && reference.kind != Reference::Kind::none))
+      names.push_back(quantity.name);
   return names;
 }
 
@@ -91,6 +93,7 @@ void read_observe(Section& root, Catalogue const& catalogue, SystemDescription c
   read_reference(observe, catalogue, study);
   if (!observe.has("quantities")) study.quantities = observable(system, study.reference);
   read_samples(observe, study);
+  study.states = observe.value("states", flag()).value_or(false);
   refuse_narrow_reference(observe, catalogue, study);
   refuse_missing_flow(observe, system, study);
   refuse_missing_reference(observe, system, study);

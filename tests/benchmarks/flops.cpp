@@ -1,6 +1,7 @@
 #include "tests/benchmarks/flops.hpp"
 
-#include <brouwer/ensemble/rigid_body_methods.hpp>
+#include <brouwer/ensemble/families/dmv.hpp>
+#include <brouwer/ensemble/families/elliptic.hpp>
 
 namespace brouwer::benchmarks {
 namespace {
@@ -19,18 +20,18 @@ inline constexpr bool calls_functions = false;
 template <template <class, class> class S>
 inline constexpr bool calls_functions<OverFunctions<S>> = true;
 
-/// Calls use(std::type_identity<S>) for the kernel's stepper over T.
+/// Calls use(std::type_identity<S>, make) for the kernel's stepper over T.
 template <class T, class Use>
 void with_stepper(Kernel const& kernel, Use use) {
   TrajectoryRequest request;
   request.special_functions = kernel.cell.special_functions;
   request.coefficients = kernel.cell.coefficients;
-  auto const visit = [&]<class Family>(Family, MethodText const& text) {
+  auto const visit = [&]<class Family>(Family const& family, MethodText const& text) {
     if constexpr (OwnElementary<T> || !calls_functions<Family>)
-      if (text.name == kernel.cell.method) Family::template choose<T>(request, use);
+      if (text.name == kernel.cell.method && text.system == kernel.cell.system) family.template choose<T>(request, use);
   };
-  for_each_elliptic_method(visit);
-  for_each_dmv_method(visit);
+  families::elliptic::for_each_method(visit);
+  families::dmv::for_each_method(visit);
 }
 
 template <class S>
@@ -39,7 +40,7 @@ Setup<typename S::System> setup_from(Start const& start, Kernel const& kernel) {
   std::vector<T> const parameters(start.parameters.begin(), start.parameters.end());
   std::vector<T> const state(start.state.begin(), start.state.end());
   return {typename S::System(std::span<T const>(parameters)), T(kernel.cell.step),
-          S::State::from_components(std::span<T const>(state)), kernel.attitude};
+          S::State::from_components(std::span<T const>(state)), kernel.whole_state};
 }
 
 constexpr int counted_members = 4;
@@ -55,13 +56,13 @@ void take_steps(S const& step, typename S::State const& start, bool packs) {
     advance(step, y, counted_steps);
 }
 
-template <class S, class E>
-Operations count_all(std::vector<Start> const& starts, Kernel const& kernel) {
+template <class S, class E, class Make>
+Operations count_all(std::vector<Start> const& starts, Kernel const& kernel, Make const& make) {
   bool const packs = kernel.set != InstructionSet::none;
   Operations sum;
   for (std::size_t member = 0; member < counted_members; ++member) {
     auto const setup = setup_from<S>(starts[member], kernel);
-    S const step(setup);
+    S const step = make(setup);
     auto& done = Counting<E>::done = sum;
     if constexpr (IncrementStep<S>)
       if (kernel.cell.compensation) take_steps<Compensated<typename S::State>>(step, setup.start, packs);
@@ -83,7 +84,9 @@ std::optional<StepCost> count_step(Catalogue const& catalogue, Kernel const& ker
   std::optional<StepCost> cost;
   auto const starts = starts_of_members(catalogue, kernel.cell.system);
   with_counting_scalar(kernel.cell.arithmetic, [&]<class T, class E>() {
-    with_stepper<T>(kernel, [&]<class S>(std::type_identity<S>) { cost = per_step(count_all<S, E>(starts, kernel)); });
+    with_stepper<T>(kernel, [&]<class S>(std::type_identity<S>, auto const& make) {
+      cost = per_step(count_all<S, E>(starts, kernel, make));
+    });
   });
   return cost;
 }

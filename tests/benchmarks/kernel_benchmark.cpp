@@ -47,7 +47,7 @@ void register_kernel(std::shared_ptr<Catalogue const> const& catalogue, Kernel c
   auto const cost = std::make_shared<CostOfKernel>(catalogue, kernel);
   auto const run = [=](benchmark::State& state) {
     auto const unit = begin_trajectories(*catalogue, kernel.cell, starts_of_members(*catalogue, kernel.cell.system),
-                                         kernel.attitude, kernel.set);
+                                         kernel.whole_state, kernel.set);
     for (auto _ : state) unit->advance(kernel.cell.steps);
     auto const member_steps = static_cast<double>(state.iterations() * kernel.cell.steps * members);
     state.counters[counter_time] = Counter(member_steps * 1e-9, Counter::kIsRate | Counter::kInvert);

@@ -3,6 +3,9 @@
 #include <brouwer/ensemble/arithmetics.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+
 namespace brouwer::benchmarks {
 namespace {
 
@@ -23,30 +26,29 @@ std::int64_t steps_of_a_call(Catalogue const& catalogue, std::string const& arit
 
 std::string name_of(Kernel const& kernel) {
   auto const& cell = kernel.cell;
-  std::string name = cell.method;
+  std::string name = cell.system + "/" + cell.method;
   for (auto const& option : {cell.special_functions, cell.coefficients})
     if (option != no_level) name += "/" + option;
   return fmt::format("{}/{}/{}/h:{}/{}{}", name, cell.arithmetic, name_of(kernel.set), cell.step,
-                     kernel.attitude ? "attitude" : "momentum", cell.compensation ? "/compensated" : "");
+                     kernel.whole_state ? "whole" : "part", cell.compensation ? "/compensated" : "");
 }
 
-Kernel kernel(Catalogue const& catalogue, std::string const& method, std::string const& option,
-              std::string const& arithmetic, InstructionSet set, double h, bool attitude, bool compensation) {
-  auto const& entry = catalogue.method("rigid_body", method);
+Kernel kernel(Catalogue const& catalogue, MethodEntry const& entry, std::string const& option,
+              std::string const& arithmetic, InstructionSet set, double h, bool whole_state, bool compensation) {
   CellLabels const cell{entry.system,
-                        method,
+                        entry.name,
                         arithmetic,
                         entry.uses_special_functions ? option : no_level,
-                        entry.uses_coefficients ? option : no_level,
+                        entry.coefficients.empty() ? no_level : option,
                         compensation,
                         h,
                         steps_of_a_call(catalogue, arithmetic)};
-  return {cell, attitude, set};
+  return {cell, whole_state, set};
 }
 
 std::vector<std::string> options_of(MethodEntry const& method) {
   if (method.uses_special_functions) return special_function_variants();
-  if (method.uses_coefficients) return coefficient_levels();
+  if (!method.coefficients.empty()) return method.coefficients;
   return {no_level};
 }
 
@@ -61,11 +63,13 @@ std::vector<Kernel> all_kernels(Catalogue const& catalogue) {
   std::vector<Kernel> kernels;
   auto const add = [&](MethodEntry const& method, std::string const& option, std::string const& arithmetic,
                        InstructionSet set) {
-    for (double h : {0.01, 0.1})
-      for (bool attitude : {false, true})
+    auto const& system = catalogue.system(method.system);
+    bool const parts = system.always_integrated < system.state_components.size();
+    for (double h : {system.usual_step, 10 * system.usual_step})
+      for (bool whole_state : parts ? std::vector{false, true} : std::vector{true})
         for (bool compensation : {false, true})
           if (!compensation || (method.compensable && arithmetic != "double-double"))
-            kernels.push_back(kernel(catalogue, method.name, option, arithmetic, set, h, attitude, compensation));
+            kernels.push_back(kernel(catalogue, method, option, arithmetic, set, h, whole_state, compensation));
   };
   for (auto const& method : catalogue.methods)
     for (auto const& option : options_of(method))
@@ -84,7 +88,8 @@ std::vector<Start> starts_of_members(Catalogue const& catalogue, std::string con
   Study study;
   study.system = system_name;
   for (auto const& field : system.fields) study.values[field.name] = field.standard;
-  study.perturb["momentum"] = {Perturbation::Law::uniform, 1e-3};
+  auto const start = std::find_if_not(system.fields.begin(), system.fields.end(), std::mem_fn(&Field::parameter));
+  study.perturb[start->name] = {Perturbation::Law::uniform, 1e-3};
   std::vector<Start> starts;
   for (int member = 0; member < members; ++member) starts.push_back(member_start(study, system, member));
   return starts;

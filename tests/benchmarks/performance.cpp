@@ -46,6 +46,7 @@ class Performance {
  public:
   explicit Performance(std::shared_ptr<Catalogue const> catalogue) : catalogue_(std::move(catalogue)) {}
 
+  MethodEntry const& body(std::string const& method) const { return catalogue_->method("rigid_body", method); }
   InstructionSet widest() const { return widest_instruction_set(); }
   std::vector<InstructionSet> sets() const {
     std::vector<InstructionSet> all;
@@ -56,10 +57,10 @@ class Performance {
   /// PERFORMANCE's goals, and beside them what they are made of.
   std::vector<Goal> goals() const {
     auto const dmv = [&](char const* coefficients, char const* arithmetic, InstructionSet set) {
-      return kernel(*catalogue_, "dmv-10", coefficients, arithmetic, set, h, true);
+      return kernel(*catalogue_, body("dmv-10"), coefficients, arithmetic, set, h, true);
     };
     auto const elliptic = [&](char const* form, bool attitude) {
-      return kernel(*catalogue_, form, no_level, "double", widest(), h, attitude);
+      return kernel(*catalogue_, body(form), no_level, "double", widest(), h, attitude);
     };
     auto const none = InstructionSet::none;
     auto const per_step = dmv("per-step", "double", widest());
@@ -96,13 +97,14 @@ class Performance {
       for (auto const& option : options_of(method)) {
         if (method.uses_special_functions && option != "own") continue;
         auto const set = runs_in(method, "double", widest()) ? widest() : InstructionSet::none;
-        auto const add = [&](double step, bool attitude, bool compensation) {
-          all.push_back(kernel(*catalogue_, method.name, option, "double", set, step, attitude, compensation));
+        auto const& system = catalogue_->system(method.system);
+        auto const add = [&](double step, bool whole_state, bool compensation) {
+          all.push_back(kernel(*catalogue_, method, option, "double", set, step, whole_state, compensation));
         };
-        add(h, false, false);
-        add(h, true, false);
-        if (method.compensable) add(h, true, true);
-        add(large_h, true, false);
+        if (system.always_integrated < system.state_components.size()) add(system.usual_step, false, false);
+        add(system.usual_step, true, false);
+        if (method.compensable) add(system.usual_step, true, true);
+        add(10 * system.usual_step, true, false);
       }
     return all;
   }
@@ -112,9 +114,8 @@ class Performance {
     std::vector<Kernel> all;
     for (auto const& [method, option] : {std::pair{"dmv-10", "per-step"}, {"elliptic-increment", no_level}})
       for (auto const* arithmetic : {"float", "long-double", "double-double"}) {
-        auto const& entry = catalogue_->method("rigid_body", method);
-        auto const set = runs_in(entry, arithmetic, widest()) ? widest() : InstructionSet::none;
-        all.push_back(kernel(*catalogue_, method, option, arithmetic, set, h, true));
+        auto const set = runs_in(body(method), arithmetic, widest()) ? widest() : InstructionSet::none;
+        all.push_back(kernel(*catalogue_, body(method), option, arithmetic, set, h, true));
       }
     return all;
   }

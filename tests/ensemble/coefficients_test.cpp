@@ -18,6 +18,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::ThrowsMessage;
 using testing_support::small_study;
 
@@ -70,9 +71,9 @@ double momentum_after(int steps, std::string const& coefficients) {
 }
 
 TEST(Coefficients, AreAnOptionOfTheMethod) {
-  EXPECT_TRUE(catalogue().method("rigid_body", "modified-euler").uses_coefficients);
-  EXPECT_FALSE(catalogue().method("rigid_body", "dmv-2").uses_coefficients);
-  EXPECT_THAT(coefficient_levels(), ElementsAre("per-step", "per-trajectory"));
+  EXPECT_THAT(catalogue().method("rigid_body", "modified-euler").coefficients,
+              ElementsAre("per-step", "per-trajectory"));
+  EXPECT_THAT(catalogue().method("rigid_body", "dmv-2").coefficients, IsEmpty());
 }
 
 TEST(Coefficients, AreTakenFromTheCurrentStateOrFromTheStart) {

@@ -8,6 +8,8 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <map>
 
 #include "tests/ensemble/small_study.hpp"
 
@@ -16,7 +18,9 @@ namespace {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
+using testing_support::levels_or_none;
 using testing_support::small_study;
+using testing_support::standard_study;
 
 Catalogue const& catalogue() {
   static Catalogue const all = builtin_catalogue();
@@ -32,7 +36,7 @@ std::vector<InstructionSet> pack_sets() {
 }
 
 /// Members of different bodies, in both branches, one at rest, one that fails where steps can be too large.
-std::vector<Start> mixed_starts() {
+std::vector<Start> mixed_bodies() {
   auto study = small_study();
   study.perturb = {{"momentum", {Perturbation::Law::uniform, 1.0}}, {"inertia", {Perturbation::Law::uniform, 0.1}}};
   std::vector<Start> starts;
@@ -42,15 +46,27 @@ std::vector<Start> mixed_starts() {
   return starts;
 }
 
+/// The standard start, in ways that differ by some per cent in every number, and one that is no number.
+std::vector<Start> mixed_starts(SystemDescription const& system) {
+  if (system.name == "rigid_body") return mixed_bodies();
+  auto study = standard_study(system);
+  for (auto const& field : system.fields)
+    if (!field.parameter) study.perturb[field.name] = {Perturbation::Law::uniform, 0.03};
+  std::vector<Start> starts;
+  for (std::int64_t i = 0; i < 37; ++i) starts.push_back(member_start(study, system, i));
+  starts[11].state[0] = std::numeric_limits<double>::quiet_NaN();
+  return starts;
+}
+
 std::uint64_t bits(double x) { return std::isnan(x) ? 0 : std::bit_cast<std::uint64_t>(x); }
 
 /// Everything that can be seen of trajectories, as bits.
-std::vector<std::uint64_t> seen(Trajectories const& trajectories) {
+std::vector<std::uint64_t> seen(Trajectories const& trajectories, SystemDescription const& system) {
   std::vector<std::uint64_t> all;
-  std::vector<double> errors(trajectories.members() * 6);
+  std::vector<double> errors(trajectories.members() * system.count(Quantity::Kind::integral));
   trajectories.first_integral_errors(errors);
   for (double e : errors) all.push_back(bits(e));
-  std::vector<Widest> state(7);
+  std::vector<Widest> state(system.state_components.size());
   for (std::size_t i = 0; i < trajectories.members(); ++i) {
     trajectories.state(i, state);
     for (auto const& component : state) {
@@ -58,47 +74,51 @@ std::vector<std::uint64_t> seen(Trajectories const& trajectories) {
       all.push_back(bits(high));
       all.push_back(bits(std::isfinite(high) ? static_cast<double>(Widest(component - high)) : 0));
     }
+    all.push_back(bits(trajectories.iterations(i)));
+    auto const failure = trajectories.failure(i);
+    all.push_back(failure ? static_cast<std::uint64_t>(failure->step) : ~std::uint64_t{0});
+    all.push_back(failure ? static_cast<std::uint64_t>(failure->reason) : 0);
   }
   return all;
 }
 
 struct Case {
   MethodEntry const* method;
-  std::string arithmetic, coefficients;
-  bool compensation;
+  CellLabels cell;
 };
 
 std::vector<Case> cases() {
   std::vector<Case> all;
   for (auto const& method : catalogue().methods)
     for (char const* arithmetic : {"float", "double", "double-double"})
-      for (auto const& coefficients :
-           method.uses_coefficients ? coefficient_levels() : std::vector<std::string>{no_level})
+      for (auto const& coefficients : levels_or_none(method.coefficients))
         for (bool const compensation : {false, true})
           if (method.runs_in_lanes && (!compensation || method.compensable))
-            all.push_back({&method, arithmetic, coefficients, compensation});
+            all.push_back({&method,
+                           {method.system, method.name, arithmetic, method.uses_special_functions ? "own" : no_level,
+                            coefficients, compensation, 10 * catalogue().system(method.system).usual_step, 30}});
   return all;
 }
 
 TEST(Lanes, OfEveryMethodAndInstructionSetAreTheScalarRunsBitForBit) {
-  auto const starts = mixed_starts();
-  int compared = 0;
-  for (auto const& c : cases()) {
-    CellLabels const cell{
-        "rigid_body",   c.method->name, c.arithmetic, c.method->uses_special_functions ? "own" : no_level,
-        c.coefficients, c.compensation, 0.1,          30};
+  std::map<std::string, int> compared;
+  for (auto const& [method, cell] : cases()) {
+    auto const& system = catalogue().system(cell.system);
+    auto const starts = mixed_starts(system);
     auto const alone = begin_trajectories(catalogue(), cell, starts, true, InstructionSet::none);
     alone->advance(30);
-    auto const expected = seen(*alone);
+    auto const expected = seen(*alone, system);
     for (auto const set : pack_sets()) {
       auto const together = begin_trajectories(catalogue(), cell, starts, true, set);
       together->advance(11);  // in two parts
       together->advance(19);
-      EXPECT_EQ(seen(*together), expected) << c.method->name << ' ' << c.arithmetic << ' ' << name_of(set);
-      ++compared;
+      EXPECT_EQ(seen(*together, system), expected)
+          << cell.system << ' ' << cell.method << ' ' << cell.arithmetic << ' ' << cell.coefficients << ' '
+          << cell.compensation << ' ' << name_of(set);
+      ++compared[cell.system];
     }
   }
-  EXPECT_GE(compared, 60) << "the catalogue must have methods that run in lanes";
+  for (auto const& system : catalogue().systems) EXPECT_GE(compared[system.name], 10) << system.name;
 }
 
 TEST(Lanes, AreWhatRuns) {

@@ -54,7 +54,7 @@ Catalogue with_preprocessed_method() {
   auto catalogue = builtin_catalogue();
   auto method = catalogue.method("rigid_body", "dmv-2");
   method.name = "preprocessed";
-  method.uses_coefficients = true;
+  method.coefficients = {"per-step", "per-trajectory"};
   catalogue.methods.push_back(method);
   return catalogue;
 }

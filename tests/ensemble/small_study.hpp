@@ -24,4 +24,17 @@ inline Study small_study() {
   return study;
 }
 
+/// Levels of a factor that a method may not have.
+inline std::vector<std::string> levels_or_none(std::vector<std::string> levels) {
+  return levels.empty() ? std::vector<std::string>{no_level} : levels;
+}
+
+/// The standard start of any system.
+inline Study standard_study(SystemDescription const& system) {
+  Study study;
+  study.system = system.name;
+  for (auto const& field : system.fields) study.values[field.name] = field.standard;
+  return study;
+}
+
 }  // namespace brouwer::testing_support

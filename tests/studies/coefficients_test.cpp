@@ -44,7 +44,7 @@ Catalogue const& catalogue() {
     auto all = builtin_catalogue();
     auto method = all.method("rigid_body", "dmv-2");
     method.name = "preprocessed";
-    method.uses_coefficients = true;
+    method.coefficients = {"per-step", "per-trajectory"};
     all.methods.push_back(method);
     return all;
   }();

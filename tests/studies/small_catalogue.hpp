@@ -31,7 +31,7 @@ inline MethodEntry small_method(std::string name, std::string system, bool compe
 
 inline MethodEntry small_preprocessed_method() {
   auto method = small_method("dmv-10", "rigid_body", true);
-  method.uses_coefficients = true;
+  method.coefficients = {"per-step", "per-trajectory"};
   return method;
 }
 

@@ -34,6 +34,8 @@ std::vector<ArithmeticEntry> arithmetic_entries() {
 
 }  // namespace
 
+void Catalogue::add(SystemDescription const& system) { systems.push_back(with_common_quantities(system)); }
+
 SystemDescription const& Catalogue::system(std::string const& name) const { return find(systems, "system", name); }
 
 MethodEntry const& Catalogue::method(std::string const& system, std::string const& name) const {
@@ -83,7 +85,7 @@ std::vector<std::string> coefficient_levels(Catalogue const& catalogue, std::str
 Catalogue builtin_catalogue() {
   Catalogue catalogue;
   catalogue.arithmetics = arithmetic_entries();
-  catalogue.systems.push_back(describe_rigid_body());
+  catalogue.add(describe_rigid_body());
 #define BROUWER_ADD_NUMBERS(family)         \
   BROUWER_ADD(family, hardware)(catalogue); \
   BROUWER_ADD(family, software)(catalogue);
@@ -93,8 +95,12 @@ Catalogue builtin_catalogue() {
   BROUWER_FAMILIES(BROUWER_ADD_NUMBERS)
   BROUWER_FAMILIES(BROUWER_ADD_SSE2)
 #if defined(__x86_64__)
-  if (widest_instruction_set() >= InstructionSet::avx2) { BROUWER_FAMILIES(BROUWER_ADD_AVX2) }
-  if (widest_instruction_set() >= InstructionSet::avx512) { BROUWER_FAMILIES(BROUWER_ADD_AVX512) }
+  if (widest_instruction_set() >= InstructionSet::avx2) {
+    BROUWER_FAMILIES(BROUWER_ADD_AVX2)
+  }
+  if (widest_instruction_set() >= InstructionSet::avx512) {
+    BROUWER_FAMILIES(BROUWER_ADD_AVX512)
+  }
 #endif
   return catalogue;
 }

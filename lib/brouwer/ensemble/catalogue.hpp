@@ -28,9 +28,10 @@ struct MethodEntry {
   int order = 0;                        ///< 0: exact up to rounding
   bool compensable = false;             ///< has an increment to be summed with compensation
   bool uses_special_functions = false;  ///< the variants own, gsl, boost apply
-  std::vector<std::string> coefficients;  ///< levels of the factor `coefficients` that it has, the first is the standard
-  bool counts_iterations = false;         ///< the quantity `iterations` applies
-  bool uses_libm = false;               ///< sin, cos, atan …: bits depend on the machine's libm
+  std::vector<std::string>
+      coefficients;                ///< levels of the factor `coefficients` that it has, the first is the standard
+  bool counts_iterations = false;  ///< the quantity `iterations` applies
+  bool uses_libm = false;          ///< sin, cos, atan …: bits depend on the machine's libm
   bool runs_in_lanes = false;  ///< has no branch on data that cannot be masked: packs of float, double, double-double
   std::vector<TrajectoriesMaker> makers;
 };
@@ -48,6 +49,9 @@ class Catalogue {
   std::vector<SystemDescription> systems;
   std::vector<MethodEntry> methods;
   std::vector<ArithmeticEntry> arithmetics;
+
+  /// With the quantities that every system has.
+  void add(SystemDescription const& system);
 
   /// @throws InputError "there is no method 'x'; did you mean 'y'?" where there is no such name.
   SystemDescription const& system(std::string const& name) const;

@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 
 #include <brouwer/ensemble/observer.hpp>
 #include <brouwer/ensemble/reference.hpp>
@@ -8,6 +11,13 @@
 
 namespace brouwer {
 namespace {
+
+/// Of this thread.
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 /// What is told to the outside while a unit runs.
 class Watch {
@@ -53,6 +63,7 @@ class Comparison {
         state_(catalogue.system(cell.system).state_components.size()) {}
 
   std::size_t members() const { return companion_->members(); }
+  std::optional<MemberFailure> failure(std::size_t member) const { return companion_->failure(member); }
 
   /// @return false if stopped midway
   bool advance(std::int64_t steps, Watch& watch) {
@@ -99,20 +110,22 @@ class UnitWork {
         widest_(widest),
         watch_(watch),
         samples_(sample_steps(study.samples, cell_.steps)),
-        observer_(system_, study.quantities, unit.members, compared_members(study, unit), samples_.size()) {}
+        observer_(system_, study.quantities, members_of(study, catalogue.method(cell_.system, cell_.method), unit),
+                  samples_.size()) {}
 
   UnitOutcome run(std::string const& hash) {
     auto const starts = member_starts(study_, system_, cell_.arithmetic, unit_.first_member, unit_.members);
     auto const trajectories = begin_trajectories(catalogue_, cell_, starts, observer_.needs_whole_state(), widest_);
-    if (!observe_along(*trajectories, starts)) return {};
     UnitRecord record = labelled(hash);
+    if (!observe_along(*trajectories, starts, record)) return {};
     for (auto const& start : starts) {
       record.start.insert(record.start.end(), start.parameters.begin(), start.parameters.end());
       record.start.insert(record.start.end(), start.state.begin(), start.state.end());
     }
     put_final_states(*trajectories, record);
+    put_failures(*trajectories, record);
     record.series = observer_.take_series();
-    return {true, std::move(record)};
+    return {true, std::move(record), seconds_};
   }
 
  private:
@@ -131,14 +144,45 @@ class UnitWork {
     return record;
   }
 
+  static Observer::Members members_of(Study const& study, MethodEntry const& method, Unit const& unit) {
+    return {unit.members, compared_members(study, unit), method.counts_iterations ? unit.members : 0};
+  }
+
+  /// A member's state now, rounded to double, as far as it is integrated.
+  template <class Out>
+  Out put_state(Trajectories const& trajectories, std::size_t member, Out out) const {
+    std::vector<Widest> now(system_.state_components.size());
+    trajectories.state(member, now);
+    return std::transform(now.begin(), now.begin() + std::ssize(integrated_components()), out,
+                          [](Widest const& v) { return static_cast<double>(v); });
+  }
+
   void put_final_states(Trajectories const& trajectories, UnitRecord& record) const {
-    std::vector<Widest> last(system_.state_components.size());
-    auto const end = last.begin() + std::ssize(record.state_names);
-    for (std::size_t i = 0; i < trajectories.members(); ++i) {
-      trajectories.state(i, last);
-      std::transform(last.begin(), end, std::back_inserter(record.final_state),
-                     [](Widest const& v) { return static_cast<double>(v); });
-    }
+    for (std::size_t i = 0; i < trajectories.members(); ++i)
+      put_state(trajectories, i, std::back_inserter(record.final_state));
+  }
+
+  /// [member][sample][component]
+  void put_states(Trajectories const& trajectories, std::size_t sample, UnitRecord& record) const {
+    std::size_t const size = record.state_names.size();
+    record.states.resize(trajectories.members() * samples_.size() * size);
+    for (std::size_t i = 0; i < trajectories.members(); ++i)
+      put_state(trajectories, i, record.states.begin() + std::ptrdiff_t((i * samples_.size() + sample) * size));
+  }
+
+  void put_failures(Trajectories const& trajectories, UnitRecord& record) const {
+    record.failed_at.assign(trajectories.members(), -1);
+    record.failure.assign(trajectories.members(), "");
+    for (std::size_t i = 0; i < trajectories.members(); ++i)
+      if (auto const own = trajectories.failure(i)) {
+        record.failed_at[i] = own->step;
+        record.failure[i] = in_words(own->reason);
+      } else if (auto const its = comparison_ && i < comparison_->members() ? comparison_->failure(i) : std::nullopt) {
+        record.failed_at[i] = its->step;
+        record.failure[i] = fmt::format("its reference failed: {}", in_words(its->reason));
+      } else if (observer_.failed(i)) {
+        record.failure[i] = "an error was no number";
+      }
   }
 
   /// The components of the state that are integrated in this unit.
@@ -149,17 +193,20 @@ class UnitWork {
   }
 
   /// false if stopped midway
-  bool observe_along(Trajectories& trajectories, std::vector<Start> const& starts) {
-    auto const comparison = begin_comparison(starts);
+  bool observe_along(Trajectories& trajectories, std::vector<Start> const& starts, UnitRecord& record) {
+    comparison_ = begin_comparison(starts);
     std::int64_t now = 0;
     for (std::size_t j = 0; j < samples_.size(); ++j) {
       std::int64_t const steps = samples_[j] - now;
       now = samples_[j];
+      double const begin = processor_seconds();
       if (!watch_.advance(trajectories, steps)) return false;
-      if (comparison && !comparison->advance(steps, watch_)) return false;
-      observer_.observe(trajectories, j);
-      for (std::size_t i = 0; comparison && i < comparison->members(); ++i)
-        observer_.observe_state(trajectories, i, comparison->state(i), j);
+      seconds_ += processor_seconds() - begin;
+      if (comparison_ && !comparison_->advance(steps, watch_)) return false;
+      observer_.observe(trajectories, j, now);
+      if (study_.states) put_states(trajectories, j, record);
+      for (std::size_t i = 0; comparison_ && i < comparison_->members(); ++i)
+        observer_.observe_state(trajectories, i, comparison_->state(i), j);
     }
     return true;
   }
@@ -181,6 +228,8 @@ class UnitWork {
   Watch watch_;
   std::vector<std::int64_t> samples_;
   Observer observer_;
+  std::unique_ptr<Comparison> comparison_;
+  double seconds_ = 0;
 };
 
 }  // namespace

@@ -12,13 +12,11 @@ class Catalogue;
 //     sse2, avx2, avx512   packs. Each is an object that shows one symbol and keeps everything else to itself, so that no
 //                          function that needs the instructions can be taken for its namesake elsewhere. Only to be called
 //                          where the processor has them.
-#define BROUWER_FAMILIES(family) \
-  family(elliptic)               \
-  family(dmv)
+#define BROUWER_FAMILIES(family) family(elliptic) family(dmv)
 
 #define BROUWER_ADD(family, scalars) brouwer_add_##family##_##scalars
-#define BROUWER_DECLARE_FAMILY(family)                              \
-  extern "C" {                                                      \
+#define BROUWER_DECLARE_FAMILY(family)                                \
+  extern "C" {                                                        \
   void BROUWER_ADD(family, hardware)(brouwer::Catalogue & catalogue); \
   void BROUWER_ADD(family, software)(brouwer::Catalogue & catalogue); \
   void BROUWER_ADD(family, sse2)(brouwer::Catalogue & catalogue);     \

@@ -140,15 +140,13 @@ void add_packs(MethodEntry& entry, Family const& family) {
   if constexpr (RunsInLanes<typename Family::OfDouble>)
     entry.makers.push_back({native_instruction_set, [family](TrajectoryRequest const& request) {
                               std::unique_ptr<Trajectories> made;
-                              for_arithmetic<HardwareArithmetics>(
-                                  request.arithmetic, [&]<class T>(NamedArithmetic<T>) {
-                                    using P = typename PackOf<T, native_bytes>::type;
-                                    if constexpr (lanes < P >> 1)
-                                      family.template choose<P>(request,
-                                                                [&]<class S>(std::type_identity<S>, auto make) {
-                                                                  made = begin_trajectories<S>(request, make);
-                                                                });
+                              for_arithmetic<HardwareArithmetics>(request.arithmetic, [&]<class T>(NamedArithmetic<T>) {
+                                using P = typename PackOf<T, native_bytes>::type;
+                                if constexpr (lanes < P >> 1)
+                                  family.template choose<P>(request, [&]<class S>(std::type_identity<S>, auto make) {
+                                    made = begin_trajectories<S>(request, make);
                                   });
+                              });
                               return made;
                             }});
 }

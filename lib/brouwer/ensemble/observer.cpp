@@ -13,15 +13,27 @@ bool contains(std::vector<std::string> const& names, std::string const& name) {
 
 Series empty_series(Quantity const& quantity, std::string const& component, std::int64_t members, std::size_t samples) {
   auto const entries = static_cast<std::size_t>(members) * samples;
-  return {component, quantity.name,
-          quantity.unit, members,
-          std::vector<double>(entries, std::numeric_limits<double>::quiet_NaN()), quantity.kind == Quantity::Kind::iterations};
+  return {component,
+          quantity.name,
+          quantity.unit,
+          members,
+          std::vector<double>(entries, std::numeric_limits<double>::quiet_NaN()),
+          quantity.kind == Quantity::Kind::iterations};
 }
 
 }  // namespace
 
 std::int64_t Observer::Members::of(Quantity::Kind kind) const {
-  return kind == Quantity::Kind::state ? compared : kind == Quantity::Kind::iterations ? counted : all;
+  switch (kind) {
+    case Quantity::Kind::integral:
+      return all;
+    case Quantity::Kind::state:
+    case Quantity::Kind::rounding:
+      return compared;
+    case Quantity::Kind::iterations:
+      return counted;
+  }
+  return 0;
 }
 
 Observer::Observer(SystemDescription const& system, std::vector<std::string> const& quantities, Members const& members,
@@ -29,8 +41,10 @@ Observer::Observer(SystemDescription const& system, std::vector<std::string> con
     : samples_(samples), failed_(static_cast<std::size_t>(members.all)) {
   integrals_ = add_series(system, quantities, members, Quantity::Kind::integral);
   states_ = add_series(system, quantities, members, Quantity::Kind::state);
+  rounding_ = add_series(system, quantities, members, Quantity::Kind::rounding);
   iterations_ = add_series(system, quantities, members, Quantity::Kind::iterations);
   state_errors_.resize(states_.count);
+  rounding_errors_.resize(integrals_.count);
 }
 
 Observer::Group Observer::add_series(SystemDescription const& system, std::vector<std::string> const& quantities,
@@ -66,8 +80,14 @@ void Observer::observe(Trajectories const& trajectories, std::size_t sample, std
 
 void Observer::observe_state(Trajectories const& trajectories, std::size_t member, std::span<Widest const> reference,
                              std::size_t sample) {
-  trajectories.state_errors(member, reference, state_errors_);
-  store(states_, state_errors_, member, sample);
+  if (!states_.places.empty()) {
+    trajectories.state_errors(member, reference, state_errors_);
+    store(states_, state_errors_, member, sample);
+  }
+  if (!rounding_.places.empty()) {
+    trajectories.rounding_errors(member, reference, rounding_errors_);
+    store(rounding_, rounding_errors_, member, sample);
+  }
 }
 
 void Observer::store(Group const& group, std::span<double const> errors, std::size_t member, std::size_t sample) {

@@ -20,14 +20,14 @@ class Observer {
 
   /// Does anything observed need more of the state than is always integrated?
   bool needs_whole_state() const { return needs_whole_state_; }
-  bool needs_reference() const { return !states_.places.empty(); }
+  bool needs_reference() const { return !states_.places.empty() || !rounding_.places.empty(); }
 
   /// Writes the errors of the first integrals of all members at one sample, and the turns of their iterations per step up
   /// to it. A member one of whose errors is not finite has failed: its series stay NaN from here on.
   /// @param steps  since the start
   void observe(Trajectories const& trajectories, std::size_t sample, std::int64_t steps);
 
-  /// The same for the state of one member against `reference`.
+  /// The same for one member's state and first integrals against `reference`.
   void observe_state(Trajectories const& trajectories, std::size_t member, std::span<Widest const> reference,
                      std::size_t sample);
 
@@ -50,8 +50,9 @@ class Observer {
   std::size_t samples_;
   bool needs_whole_state_ = false;
   std::vector<Series> series_;
-  Group integrals_, states_, iterations_;
-  std::vector<double> integral_errors_, state_errors_;  // of all members; of one
+  Group integrals_, states_, rounding_, iterations_;
+  std::vector<double> integral_errors_;                 // of all members
+  std::vector<double> state_errors_, rounding_errors_;  // of one
   std::vector<bool> failed_;
 };
 

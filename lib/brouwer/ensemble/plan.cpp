@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <brouwer/ensemble/start.hpp>
 #include <brouwer/error.hpp>
@@ -12,6 +13,10 @@
 
 namespace brouwer {
 namespace {
+
+bool contains(std::vector<std::string> const& words, std::string const& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
 
 constexpr std::int64_t most_steps = 1'000'000'000'000'000;  // 10^15: exact as a double, and more than anyone waits for
 
@@ -24,9 +29,19 @@ std::int64_t steps_of(Study const& study, double h) {
   return static_cast<std::int64_t>(steps);
 }
 
-/// The levels of an option that only some methods have: those of the study, or none.
-std::vector<std::string> levels_of(bool has_option, std::vector<std::string> const& levels) {
-  return has_option ? levels : std::vector<std::string>{no_level};
+/// The variants of elliptic functions that a method has: those of the study, or none.
+std::vector<std::string> variants_of(MethodEntry const& method, Study const& study) {
+  return method.uses_special_functions ? study.special_functions : std::vector<std::string>{no_level};
+}
+
+/// The levels of coefficients that a method has: those of the study, its first where the study names none of its own, or
+/// none.
+std::vector<std::string> coefficients_of(MethodEntry const& method, Study const& study) {
+  if (method.coefficients.empty()) return {no_level};
+  std::vector<std::string> levels;
+  for (auto const& level : study.coefficients)
+    if (contains(method.coefficients, level)) levels.push_back(level);
+  return levels.empty() ? std::vector<std::string>{method.coefficients.front()} : levels;
 }
 
 /// Every combination of levels in which no factor is left that the method does not have: a method without elliptic
@@ -35,8 +50,8 @@ std::vector<CellLabels> crossed(Study const& study, Catalogue const& catalogue) 
   std::vector<CellLabels> cells;
   for (auto const& method : study.methods) {
     auto const& entry = catalogue.method(study.system, method);
-    auto const variants = levels_of(entry.uses_special_functions, study.special_functions);
-    auto const sources = levels_of(entry.uses_coefficients, study.coefficients);
+    auto const variants = variants_of(entry, study);
+    auto const sources = coefficients_of(entry, study);
     for (auto const& arithmetic : study.arithmetics)
       for (auto const& variant : variants)
         for (auto const& coefficients : sources)
@@ -66,21 +81,39 @@ std::int64_t unit_size(std::int64_t members) {
   return std::max(base, (needed + base - 1) / base * base);
 }
 
-void check_coefficients(std::vector<std::string> const& levels) {
-  auto const& known = coefficient_levels();
-  for (auto const& level : levels)
-    if (std::find(known.begin(), known.end(), level) == known.end())
+bool any_method(Study const& study, Catalogue const& catalogue, std::function<bool(MethodEntry const&)> const& is) {
+  return std::any_of(study.methods.begin(), study.methods.end(),
+                     [&](auto const& name) { return is(catalogue.method(study.system, name)); });
+}
+
+/// A level that none of the methods has would be run by nobody.
+void check_coefficients(Study const& study, Catalogue const& catalogue) {
+  auto const known = coefficient_levels(catalogue, study.system);
+  for (auto const& level : study.coefficients) {
+    if (!contains(known, level))
       throw InputError(fmt::format("there is no level of coefficients '{}'{}", level, suggestion(level, known)));
+    if (!any_method(study, catalogue, [&](auto const& method) { return contains(method.coefficients, level); }))
+      throw InputError(fmt::format("coefficients = '{}' is a level of none of the methods {}", level,
+                                   fmt::join(study.methods, ", ")));
+  }
+}
+
+void check_iterations(Study const& study, Catalogue const& catalogue, Quantity const& quantity) {
+  if (quantity.kind == Quantity::Kind::iterations &&
+      !any_method(study, catalogue, [](auto const& method) { return method.counts_iterations; }))
+    throw InputError(fmt::format("quantity '{}' is of methods that count the turns of an iteration, and {} do not",
+                                 quantity.name, fmt::join(study.methods, ", ")));
 }
 
 void check(Study const& study, Catalogue const& catalogue) {
   auto const& system = catalogue.system(study.system);
   if (auto complaint = system.complaint(study.values)) throw InputError(*complaint);
   for (auto const& name : study.arithmetics) catalogue.arithmetic(name);
-  check_coefficients(study.coefficients);
+  check_coefficients(study, catalogue);
   for (auto const& name : study.quantities) {
-    bool const needs_reference = catalogue.quantity(study.system, name).needs_reference();
-    if (needs_reference && study.reference.kind == Reference::Kind::none)
+    auto const& quantity = catalogue.quantity(study.system, name);
+    check_iterations(study, catalogue, quantity);
+    if (quantity.needs_reference() && study.reference.kind == Reference::Kind::none)
       throw InputError(fmt::format("quantity '{}' needs a reference: add reference = \"exact\" or \"float128\"", name));
   }
   if (study.reference.kind == Reference::Kind::exact && !system.has_exact_flow)
@@ -129,6 +162,8 @@ Plan make_plan(Study const& study, Catalogue const& catalogue) {
   }
   if (plan.cells.empty()) throw InputError("nothing is left to run: " + plan.skipped.front().reason);
 
+  if (auto const& warning = catalogue.system(study.system).warning)
+    if (auto const sentence = warning(study.values)) plan.warnings.push_back(*sentence);
   plan.references.assign(plan.cells.size(), reference_of(study));
   std::int64_t const size = unit_size(study.members);
   for (std::size_t c = 0; c < plan.cells.size(); ++c)

@@ -31,6 +31,7 @@ struct Plan {
   /// With what each cell's states are compared: "none", "exact", or the arithmetic in which the same method runs, which
   /// check_references may have replaced by a wider one.
   std::vector<std::string> references;
+  std::vector<std::string> warnings;  ///< sentences that people should read before they believe the numbers
 };
 
 /// Crosses the factors of a study, merges cells that a factor does not touch, cuts them into units.

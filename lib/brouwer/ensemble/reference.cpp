@@ -38,8 +38,7 @@ class Trio {
     for (auto const& each : {cell, reference_cell(cell, study.reference.arithmetic), reference_cell(cell, judge)})
       all_.push_back(begin_trajectories(catalogue, each, starts, true, widest_instruction_set()));
     exact_.resize(system.state_components.size());
-    for (auto const& quantity : system.quantities)
-      if (quantity.needs_reference()) errors_.resize(errors_.size() + quantity.components.size());
+    errors_.resize(system.count(Quantity::Kind::state));
   }
 
   void advance(std::int64_t steps) {

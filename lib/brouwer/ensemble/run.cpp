@@ -72,7 +72,9 @@ bool run(Study const& study, std::string const& study_text, Catalogue const& cat
   progress.steps_total = 0;
   for (auto const& unit : missing) progress.steps_total += work_of(study, catalogue, plan, unit);
 
-  if (!missing.empty()) progress.notices = check_references(study, catalogue, plan);
+  progress.notices = plan.warnings;
+  if (!missing.empty())
+    for (auto const& failed : check_references(study, catalogue, plan)) progress.notices.push_back(failed);
 
   FirstFailure failure;
   std::atomic<bool> const* stop = options.stop;

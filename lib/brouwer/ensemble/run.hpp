@@ -31,6 +31,7 @@ int threads_of(RunOptions const& options);
 struct UnitOutcome {
   bool finished = false;
   UnitRecord record;
+  double seconds = 0;  ///< processor time of its members' steps: no part of the record, which is the same each time
 };
 UnitOutcome compute_unit(Study const& study, Catalogue const& catalogue, Plan const& plan, Unit const& unit,
                          std::string const& hash, Progress& progress, std::atomic<bool> const* stop,

@@ -66,7 +66,7 @@ FieldValues draw_values(Study const& study, SystemDescription const& system, std
       numbers[c] =
           perturbed(numbers[c], found->second, {study.seed, static_cast<std::uint64_t>(member), f, c, attempt});
   }
-  if (!study.perturb.empty() && system.project) system.project(values);
+  if (system.project) system.project(values);
   return values;
 }
 
@@ -91,7 +91,11 @@ std::vector<TrajectoriesMaker const*> makers_up_to(MethodEntry const& method, In
 
 }  // namespace
 
-Start nominal_start(Study const& study, SystemDescription const& system) { return start_of(system, study.values); }
+Start nominal_start(Study const& study, SystemDescription const& system) {
+  FieldValues values = study.values;
+  if (system.project) system.project(values);
+  return start_of(system, values);
+}
 
 Start member_start(Study const& study, SystemDescription const& system, std::int64_t member) {
   constexpr std::uint64_t most_attempts = 1000;

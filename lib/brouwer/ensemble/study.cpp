@@ -52,7 +52,8 @@ std::string canonical_text(Study const& study) {
   line("methods", fmt::format("{}", fmt::join(study.methods, ", ")));
   line("arithmetic", fmt::format("{}", fmt::join(study.arithmetics, ", ")));
   line("special_functions", fmt::format("{}", fmt::join(study.special_functions, ", ")));
-  if (study.coefficients != Study().coefficients)
+  std::vector<std::string> const first_level = {"per-step"};  // once the standard, whether or not a study said it
+  if (!study.coefficients.empty() && study.coefficients != first_level)
     line("coefficients", fmt::format("{}", fmt::join(study.coefficients, ", ")));
   std::string compensation;
   for (bool on : study.compensation) compensation += fmt::format("{}{}", compensation.empty() ? "" : ", ", on);
@@ -67,6 +68,7 @@ std::string canonical_text(Study const& study) {
   line("reference", text_of(study.reference));
   line("samples",
        fmt::format("{}, {}", study.samples.count, study.samples.spacing == Samples::Spacing::log ? "log" : "linear"));
+  if (study.states) line("states", "true");
   return text;
 }
 

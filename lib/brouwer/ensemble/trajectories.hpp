@@ -56,6 +56,10 @@ class Trajectories {
   /// of the quantities that need a reference.
   virtual void state_errors(std::size_t member, std::span<Widest const> reference, std::span<double> errors) const = 0;
 
+  /// A member's first integrals minus those of `reference`, in the order and the scales of first_integral_errors.
+  virtual void rounding_errors(std::size_t member, std::span<Widest const> reference,
+                               std::span<double> errors) const = 0;
+
   /// Turns of the method's iteration that a member took since the start; NaN where the method does not count any.
   virtual double iterations(std::size_t member) const = 0;
 

@@ -61,6 +61,15 @@ class TrajectoriesIn : public Trajectories {
     std::transform(e.begin(), e.end(), errors.begin(), [](W const& v) { return static_cast<double>(v); });
   }
 
+  void rounding_errors(std::size_t member, std::span<Widest const> reference, std::span<double> errors) const final {
+    require_room(errors.size(), System::first_integral_count);
+    auto const system = wide_system(member);
+    auto const scales = system.first_integral_scales(wide_start(member));
+    auto const own = brouwer::first_integrals(system, wide_state(member), W(step_));
+    auto const its = brouwer::first_integrals(system, read(reference), W(step_));
+    for (std::size_t k = 0; k < errors.size(); ++k) errors[k] = static_cast<double>(W((own[k] - its[k]) / scales[k]));
+  }
+
   void exact_state(std::size_t member, std::int64_t steps, std::span<Widest> components) const final {
     if constexpr (lane_count == 1 && HasExactFlow<WideSystem>) {
       auto& flow = flows_[member].flow;

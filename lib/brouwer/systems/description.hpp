@@ -21,8 +21,10 @@ struct Field {
 /// Something that can be observed. Its components are scalars with a sign: the statistics want errors, not norms.
 struct Quantity {
   enum class Kind {
-    integral,    ///< the error of a first integral since the start
-    state,       ///< the error of a state against a reference
+    integral,  ///< the error of a first integral since the start
+    state,     ///< the error of a state against a reference
+    rounding,  ///< a first integral's difference from the reference's, whatever the method conserves: where the reference
+               ///< is the same method, what rounding did to it
     iterations,  ///< no error but a count: turns of an iteration, per step since the start
   };
   std::string name;
@@ -32,15 +34,8 @@ struct Quantity {
   bool needs_whole_state = true;  ///< cannot be formed from the components that are always integrated
   std::string help;
 
-  bool needs_reference() const { return kind == Kind::state; }
+  bool needs_reference() const { return kind == Kind::state || kind == Kind::rounding; }
 };
-
-/// Of methods that solve equations by iteration, whatever the system.
-inline Quantity iterations_quantity() {
-  return {"iterations", {"iterations"},
-          "per step",   Quantity::Kind::iterations,
-          false,        "turns of the method's iteration per step, mean since the start"};
-}
 
 using FieldValues = std::map<std::string, std::vector<double>>;
 
@@ -61,6 +56,7 @@ struct SystemDescription {
   std::function<void(FieldValues&)> project = {};
   /// What a user of these values should know ("the centre of mass moves …"), or nothing; may be empty.
   std::function<std::optional<std::string>(FieldValues const&)> warning = {};
+  double usual_step = 0.01;  ///< h at which methods of order 2 follow the standard start
   /// The two components of the state that show it best in a plane (indices).
   std::array<std::size_t, 2> plane = {0, 1};
 
@@ -72,5 +68,29 @@ struct SystemDescription {
     return components;
   }
 };
+
+/// The quantities that every system has: the twin of each first integral that is compared with the reference, and the
+/// count of methods that solve equations by iteration.
+inline SystemDescription with_common_quantities(SystemDescription system) {
+  using Kind = Quantity::Kind;
+  std::vector<Quantity> common;
+  for (auto const& quantity : system.quantities) {
+    if (quantity.kind != Kind::integral) continue;
+    Quantity twin = quantity;
+    twin.name = "rounding-of-" + quantity.name;
+    for (auto& component : twin.components) component = "rounding-of-" + component;
+    twin.kind = Kind::rounding;
+    twin.help = "the same, minus that of the reference: what rounding did, where the method does not conserve it";
+    common.push_back(twin);
+  }
+  common.push_back({"iterations",
+                    {"iterations"},
+                    "per step",
+                    Kind::iterations,
+                    false,
+                    "turns of the method's iteration per step, mean since the start"});
+  system.quantities.insert(system.quantities.end(), common.begin(), common.end());
+  return system;
+}
 
 }  // namespace brouwer
