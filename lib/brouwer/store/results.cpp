@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <limits>
 #include <span>
 #include <system_error>
 
@@ -11,6 +12,7 @@
 #include <brouwer/store/failures.hpp>
 #include <brouwer/store/file.hpp>
 #include <brouwer/store/folder.hpp>
+#include <brouwer/store/timings.hpp>
 #include <brouwer/store/whole_file.hpp>
 
 namespace brouwer {
@@ -121,6 +123,18 @@ Results::Results(fs::path folder) : folder_(std::move(folder)) {
 }
 
 std::string Results::study_text() const { return read_whole(folder_ / "study.toml"); }
+
+double Results::seconds_per_member(std::size_t cell) const {
+  auto const timings = read_timings(folder_);
+  Timing sum;
+  for (auto const& unit : cells_.at(cell).units)
+    if (auto const found = timings.find(unit_path(cell, unit.header.first_member).generic_string());
+        found != timings.end()) {
+      sum.members += found->second.members;
+      sum.seconds += found->second.seconds;
+    }
+  return sum.members > 0 ? sum.seconds / static_cast<double>(sum.members) : std::numeric_limits<double>::quiet_NaN();
+}
 
 Ensemble Results::load(std::size_t number, std::string const& quantity) const {
   auto const& cell = cells_.at(number);

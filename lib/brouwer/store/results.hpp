@@ -53,10 +53,12 @@ class Results {
   /// How many of the planned members are finished.
   std::int64_t finished_members(std::size_t cell) const { return cells_[cell].members; }
 
-  /// All finished members of cell `number` that have this component. @throws InputError if there is none of that name.
   /// How many members each cell is to have.
   std::int64_t planned_members() const { return planned_members_; }
+  /// CPU seconds that a member of the cell took, over those units of which timings.csv knows it; NaN where of none.
+  double seconds_per_member(std::size_t cell) const;
 
+  /// All finished members of cell `number` that have this component. @throws InputError if there is none of that name.
   Ensemble load(std::size_t number, std::string const& quantity) const;
 
  private:
