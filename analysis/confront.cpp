@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "analysis/factors.hpp"
+#include "analysis/failures.hpp"
 #include "analysis/inference.hpp"
 #include "analysis/numbers.hpp"
 
@@ -56,15 +57,23 @@ Outcome drift_in_band(Test const& test) {
   return {passed, claim + (excludes_zero ? fmt::format(", seen at level {:g}", test.level()) : ""), drift_found(test)};
 }
 
+/// What is expected of an error's law cannot be true of a count.
+Outcome no_law(Test const& test, std::string const& of) {
+  return {false, fmt::format("something is expected of its {}", of),
+          fmt::format("{} is a count: it has no {}, only a mean and a spread", test.row.quantity, of)};
+}
+
 std::optional<Outcome> drift(Test const& test) {
   using Wanted = Expectation::DriftWanted;
   if (test.expectation.drift == Wanted::unsaid) return std::nullopt;
+  if (test.row.count) return no_law(test, "drift");
   return test.expectation.drift == Wanted::none ? no_drift(test) : drift_in_band(test);
 }
 
 std::optional<Outcome> growth(Test const& test) {
   auto const& wanted = test.expectation.growth;
   if (!wanted) return std::nullopt;
+  if (test.row.count) return no_law(test, "law of growth");
   auto const& [q, interval] = test.row.growth;
   return Outcome{std::abs(q - wanted->exponent) <= wanted->within,
                  fmt::format("grows as t^q with q = {:g} ± {:g}", wanted->exponent, wanted->within),
@@ -75,12 +84,35 @@ std::optional<Outcome> growth(Test const& test) {
 std::optional<Outcome> persistence(Test const& test) {
   auto const& wanted = test.expectation.persistence;
   if (!wanted) return std::nullopt;
+  if (test.row.count) return no_law(test, "persistent slope");
   auto const& found = test.row.persistence;
   bool const persists = test.significant(found.p);
   return Outcome{
       std::isfinite(found.p) && persists == *wanted,
       fmt::format("{} at level {:g}", *wanted ? "persistent slopes" : "no persistent slopes", test.level()),
       fmt::format("F = {} ({}), τ = {} per step", number(found.F, 3), probability(found.p), number(found.per_step, 2))};
+}
+
+Outcome in_band(char const* what, Interval const& band, double value, std::string const& found) {
+  return {band.low <= value && value <= band.high,
+          fmt::format("{} at the end between {} and {}", what, number(band.low, 3), number(band.high, 3)),
+          fmt::format("{} = {}", what, found)};
+}
+
+std::optional<Outcome> mean(Test const& test) {
+  auto const& wanted = test.expectation.mean;
+  if (!wanted) return std::nullopt;
+  double const value = test.row.mean.back(), error = test.row.mean_error.back();
+  return in_band(
+      "mean", *wanted, value,
+      fmt::format("{} (standard error {}) over {} members", number(value, 3), number(error, 2), test.row.members));
+}
+
+std::optional<Outcome> rms(Test const& test) {
+  auto const& wanted = test.expectation.rms_final;
+  if (!wanted) return std::nullopt;
+  double const value = test.row.rms_final;
+  return in_band("RMS", *wanted, value, fmt::format("{} over {} members", number(value, 3), test.row.members));
 }
 
 std::optional<Outcome> verdict(Test const& test) {
@@ -92,7 +124,7 @@ std::optional<Outcome> verdict(Test const& test) {
                  test.row.sentence.empty() ? found : found + ": " + test.row.sentence};
 }
 
-constexpr std::optional<Outcome> (*parts[])(Test const&) = {drift, growth, persistence, verdict};
+constexpr std::optional<Outcome> (*parts[])(Test const&) = {drift, growth, persistence, mean, rms, verdict};
 
 }  // namespace
 
@@ -101,9 +133,8 @@ std::string claimed_of(Estimates const& row, bool with_step) {
   return row.quantity + (cell.empty() ? "" : ", " + cell);
 }
 
-std::string left_out(Estimates const& row) {
-  if (row.failed == 0) return "";
-  return fmt::format("; {} of {} members failed and were left out", row.failed, row.failed + row.members);
+std::string but_for_failures(Estimates const& row) {
+  return row.failed > 0 ? "; " + left_out(row, " failed and were left out") : "";
 }
 
 std::vector<Outcome> confront(Expectation const& expectation, Estimates const& row) {
@@ -111,7 +142,7 @@ std::vector<Outcome> confront(Expectation const& expectation, Estimates const& r
   for (auto* const part : parts)
     if (auto outcome = part({expectation, row})) {
       outcome->claim = claimed_of(row) + ": " + outcome->claim;
-      outcome->found += left_out(row);
+      outcome->found += but_for_failures(row);
       outcomes.push_back(std::move(*outcome));
     }
   return outcomes;

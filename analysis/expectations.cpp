@@ -31,6 +31,8 @@ Indices selected(Expectation const& expectation, Rows const& rows) {
   return found;
 }
 
+std::string in_words(Interval const& steps) { return fmt::format("{} … {}", steps.low, steps.high); }
+
 std::string in_words(Selector const& where) {
   std::string words;
   auto const add = [&](char const* key, std::string const& level) {
@@ -42,6 +44,7 @@ std::string in_words(Selector const& where) {
   if (where.coefficients) add("coefficients", *where.coefficients);
   if (where.compensation) add("compensation", *where.compensation ? "true" : "false");
   if (where.step) add("step", fmt::format("{}", *where.step));
+  if (where.step_range) add("step", in_words(*where.step_range));
   return words;
 }
 
@@ -95,15 +98,24 @@ std::set<double> steps_of(Indices const& group, Rows const& rows) {
 std::string left_out_of(Indices const& group, Rows const& rows) {
   std::string text;
   for (auto const i : group)
-    if (rows[i].failed > 0) text += left_out(rows[i]) + fmt::format(" at h = {}", rows[i].cell.step);
+    if (rows[i].failed > 0) text += but_for_failures(rows[i]) + fmt::format(" at h = {}", rows[i].cell.step);
   return text;
 }
 
-Outcome check_sweep(Around const& wanted, Indices const& group, Rows const& rows, FitSweep const& fit) {
+std::string sweep_claim(Expectation const& expectation, Estimates const& row) {
+  auto const& [exponent, within] = *expectation.step_exponent;
+  auto const& range = expectation.where.step_range;
+  return fmt::format("{}{}: grows as h^p t^q with p = {:g} ± {:g}", claimed_of(row, false),
+                     range ? ", h = " + in_words(*range) : "", exponent, within);
+}
+
+Outcome check_sweep(Expectation const& expectation, Indices const& group, Rows const& rows, FitSweep const& fit) {
+  auto const& wanted = *expectation.step_exponent;
   auto const steps = steps_of(group, rows);
   Outcome outcome;
-  outcome.claim = fmt::format("{}: grows as h^p t^q with p = {:g} ± {:g}", claimed_of(rows[group.front()], false),
-                              wanted.exponent, wanted.within);
+  outcome.claim = sweep_claim(expectation, rows[group.front()]);
+  outcome.found = fmt::format("{} is a count: it has no law in h", rows[group.front()].quantity);
+  if (rows[group.front()].count) return outcome;
   outcome.found = fmt::format("a law in h needs at least three steps; here is {}", steps.size());
   if (steps.size() < 3) return outcome;
   try {
@@ -133,8 +145,7 @@ void check_one(Expectation const& expectation, Rows const& rows, FitSweep const&
   for (auto const i : chosen)
     for (auto& outcome : confront(expectation, rows[i])) outcomes.push_back(std::move(outcome));
   if (expectation.step_exponent)
-    for (auto const& group : sweeps(chosen, rows))
-      outcomes.push_back(check_sweep(*expectation.step_exponent, group, rows, fit));
+    for (auto const& group : sweeps(chosen, rows)) outcomes.push_back(check_sweep(expectation, group, rows, fit));
   std::string const claim = expectation.of + in_words(expectation.where);
   if (chosen.empty())
     outcomes.push_back({false, claim, what_there_is(expectation, rows)});
@@ -147,13 +158,15 @@ void check_one(Expectation const& expectation, Rows const& rows, FitSweep const&
 bool Selector::matches(CellLabels const& cell) const {
   auto const is = [](auto const& wanted, auto const& level) { return !wanted || *wanted == level; };
   return is(method, cell.method) && is(arithmetic, cell.arithmetic) && is(special_functions, cell.special_functions) &&
-         is(coefficients, cell.coefficients) && is(compensation, cell.compensation) && is(step, cell.step);
+         is(coefficients, cell.coefficients) && is(compensation, cell.compensation) && is(step, cell.step) &&
+         (!step_range || (step_range->low <= cell.step && cell.step <= step_range->high));
 }
 
 std::vector<std::string> verdict_words() {
   using enum Verdict;
   std::vector<std::string> words;
-  for (auto const verdict : {random_walk, persistent_slopes, drift, bounded, faster_than_drift, exact, not_resolved})
+  for (auto const verdict :
+       {random_walk, persistent_slopes, drift, bounded, faster_than_drift, exact, not_resolved, count})
     words.push_back(to_string(verdict));
   return words;
 }

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <variant>
 
 #include "analysis/escape.hpp"
+#include "analysis/failures.hpp"
 #include "analysis/numbers.hpp"
 
 namespace brouwer {
@@ -20,6 +22,9 @@ struct Field {
   char const* key;
   Value (*of)(Estimates const&);
 };
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr Counted no_count = {undefined, {undefined, undefined}};
 
 using E = Estimates;
 Field const fields[] = {
@@ -36,6 +41,7 @@ Field const fields[] = {
     {"unit", [](E const& e) -> Value { return e.unit; }},
     {"members", [](E const& e) -> Value { return e.members; }},
     {"failed", [](E const& e) -> Value { return e.failed; }},
+    {"failures", [](E const& e) -> Value { return reasons(e); }},
     {"samples", [](E const& e) -> Value { return e.samples; }},
     {"rms_final", [](E const& e) -> Value { return e.rms_final; }},
     {"drift.per_step", [](E const& e) -> Value { return e.drift.per_step; }},
@@ -52,6 +58,8 @@ Field const fields[] = {
     {"growth.exponent", [](E const& e) -> Value { return e.growth.exponent; }},
     {"growth.ci", [](E const& e) -> Value { return e.growth.interval; }},
     {"smallest_visible_drift", [](E const& e) -> Value { return e.smallest_visible_drift; }},
+    {"count.mean", [](E const& e) -> Value { return e.count.value_or(no_count).mean; }},
+    {"count.range", [](E const& e) -> Value { return e.count.value_or(no_count).range; }},
     {"levels.confidence", [](E const& e) -> Value { return e.levels.confidence; }},
     {"levels.test", [](E const& e) -> Value { return e.levels.test; }},
     {"levels.power", [](E const& e) -> Value { return e.levels.power; }},

@@ -7,6 +7,7 @@
 
 #include "analysis/escape.hpp"
 #include "analysis/factors.hpp"
+#include "analysis/failures.hpp"
 
 namespace brouwer {
 namespace {
@@ -111,8 +112,8 @@ std::vector<std::string> failures(Rows const& rows, Factors const& factors) {
   std::vector<std::string> notes;
   for (auto const& row : rows)
     if (row.failed > 0)
-      notes.push_back(fmt::format("{}, {}: {} of {} members were left out, their error is not finite.",
-                                  short_label(row.cell, factors), row.quantity, row.failed, row.failed + row.members));
+      notes.push_back(fmt::format("{}, {}: {}.", short_label(row.cell, factors), row.quantity,
+                                  left_out(row, " were left out, their error is not finite")));
   return notes;
 }
 

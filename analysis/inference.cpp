@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "analysis/distributions.hpp"
+#include "analysis/failures.hpp"
 #include "analysis/growth.hpp"
 #include "analysis/power_law.hpp"
 #include "analysis/verdict.hpp"
@@ -130,25 +131,48 @@ Estimates described(Ensemble const& ensemble, Levels const& levels) {
   e.members = ensemble.errors.rows();
   e.samples = ensemble.errors.cols();
   e.failed = ensemble.failed;
+  e.failures = ensemble.failures;
   e.times = ensemble.times;
   e.levels = levels;
   return e;
 }
 
-/// A row that says so: the other cells of a study are not to suffer.
-Estimates all_failed(Ensemble const& ensemble, Levels const& levels) {
-  Estimates e = described(ensemble, levels);
+/// Nothing that is estimated of a law of growth has a value.
+void leave_law_undefined(Estimates& e) {
   Interval const none{undefined, undefined};
-  e.rms = e.mean = e.mean_error = std::vector<double>(e.times.size(), undefined);
-  e.rms_final = e.smallest_visible_drift = undefined;
+  e.smallest_visible_drift = undefined;
   e.drift = {undefined, none, undefined, undefined, undefined};
   e.persistence = {undefined, undefined, undefined, undefined};
   e.diffusion = {undefined, none};
   e.growth = {undefined, none};
-  e.sentence = fmt::format(
-      "Not resolved: all {} members failed (an error that is not a finite number); is the step too "
-      "large for this method?",
-      e.failed);
+}
+
+/// A row that says so: the other cells of a study are not to suffer.
+Estimates all_failed(Ensemble const& ensemble, Levels const& levels) {
+  Estimates e = described(ensemble, levels);
+  leave_law_undefined(e);
+  e.rms = e.mean = e.mean_error = std::vector<double>(e.times.size(), undefined);
+  e.rms_final = undefined;
+  if (ensemble.count) e.count = {undefined, {undefined, undefined}};
+  auto const why = reasons(e);
+  e.sentence = fmt::format("Not resolved: all {} members failed{}; is the step too large for this method?", e.failed,
+                           why.empty() ? " (an error that is not a finite number)" : ": " + why);
+  return e;
+}
+
+/// Numbers of something: their mean and how far they reach.
+Estimates counted(Ensemble const& ensemble, Levels const& levels) {
+  Estimates e = described(ensemble, levels);
+  leave_law_undefined(e);
+  describe_course(ensemble, exact_scale(largest_magnitude(ensemble.errors)), e);
+  e.count = {ensemble.errors.mean(), {ensemble.errors.minCoeff(), ensemble.errors.maxCoeff()}};
+  return e;
+}
+
+Estimates judged(Estimates e) {
+  auto judgement = judge(e);
+  e.verdict = judgement.verdict;
+  e.sentence = std::move(judgement.sentence);
   return e;
 }
 
@@ -171,6 +195,7 @@ double visible_noncentrality(double dof, Levels const& levels) {
 Estimates estimate(Ensemble const& ensemble, Levels const& levels) {
   if (ensemble.errors.rows() == 0 && ensemble.failed > 0) return all_failed(ensemble, levels);
   require_shape(ensemble);
+  if (ensemble.count) return judged(counted(ensemble, levels));
   auto const units = units_of(ensemble);
   auto const s = sufficient(ensemble, units);
   Estimates e = described(ensemble, levels);
@@ -181,10 +206,7 @@ Estimates estimate(Ensemble const& ensemble, Levels const& levels) {
   e.diffusion = diffusion_of(s, units, levels);
   e.growth = growth_of(ensemble, levels.confidence);
   e.smallest_visible_drift = smallest_visible_drift(s, units, levels);
-  auto judgement = judge(e);
-  e.verdict = judgement.verdict;
-  e.sentence = std::move(judgement.sentence);
-  return e;
+  return judged(std::move(e));
 }
 
 }  // namespace brouwer

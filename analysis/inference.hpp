@@ -29,6 +29,9 @@ namespace brouwer {
 /// Independent of units: all errors are multiplied by a power of two first (exact), so that no square over- or
 /// underflows.
 ///
+/// Of a count (ensemble.count) the mean and the range are told and no law is estimated: what belongs to it is NaN.
+/// Where every member failed, all numbers are NaN, the verdict is `not resolved` and the sentence says why they failed.
+///
 /// @param ensemble  errors: members × times; times increasing and > 0; per_step of the result is per unit of `times`
 /// @throws InputError if there is no member or no sample time
 Estimates estimate(Ensemble const& ensemble, Levels const& levels);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "analysis/failures.hpp"
 #include "analysis/numbers.hpp"
 #include "analysis/verdict.hpp"
 
@@ -159,10 +160,15 @@ std::string unresolved_sentence(Estimates const& e) {
                   : no_drift(e));
 }
 
-/// A verdict speaks of those that came through; that there were others must be said.
-std::string failures(Estimates const& e) {
-  return e.failed > 0 ? fmt::format("; {} of {} members failed and are left out", e.failed, e.members + e.failed) : "";
+/// "14.2 iterations per step in the mean (13.9 … 14.6 over members and samples)".
+std::string count_sentence(Estimates const& e) {
+  return fmt::format("{} {} in the mean ({} … {} over members and samples)", number(e.count->mean, 3),
+                     e.unit.empty() ? e.quantity : e.unit, number(e.count->range.low, 3),
+                     number(e.count->range.high, 3));
 }
+
+/// A verdict speaks of those that came through; that there were others must be said.
+std::string failures(Estimates const& e) { return e.failed > 0 ? "; " + left_out(e) : ""; }
 
 std::string body(Estimates const& e, Verdict verdict) {
   switch (verdict) {
@@ -179,6 +185,7 @@ std::string body(Estimates const& e, Verdict verdict) {
     case Verdict::faster_than_drift:
       return superlinear_sentence(e);
     case Verdict::count:
+      return count_sentence(e);
     case Verdict::not_resolved:
       break;
   }
@@ -193,7 +200,8 @@ std::string capitalised(std::string text) {
 }  // namespace
 
 std::string sentence_of(Estimates const& e, Verdict verdict) {
-  return capitalised(to_string(verdict)) + ": " + body(e, verdict) + "; " + visible(e) + failures(e) + ".";
+  std::string const sight = verdict == Verdict::count ? "" : "; " + visible(e);
+  return capitalised(to_string(verdict)) + ": " + body(e, verdict) + sight + failures(e) + ".";
 }
 
 }  // namespace brouwer

@@ -9,6 +9,8 @@
 namespace brouwer {
 namespace {
 
+bool is_count(Estimates const& e) { return e.count.has_value(); }
+
 bool every_error_is_zero(Estimates const& e) {
   return std::all_of(e.rms.begin(), e.rms.end(), [](double rms) { return rms == 0; });
 }
@@ -70,7 +72,8 @@ struct Rule {
   bool (*applies)(Estimates const&);
 };
 
-constexpr std::array<Rule, 8> rules = {{
+constexpr std::array<Rule, 9> rules = {{
+    {Verdict::count, is_count},
     {Verdict::exact, every_error_is_zero},
     {Verdict::not_resolved, too_little_to_tell},
     {Verdict::faster_than_drift, superlinear},

@@ -21,6 +21,7 @@ constexpr double widest_exponent_half = 0.25;  ///< a wider interval says nothin
 
 /// The verdict on the law of growth: the first line of this table that applies. a = levels.test, q = growth exponent.
 ///
+///     count               it is no error but a number of something
 ///     exact               every error is zero
 ///     not resolved        one member, or one sample time without a significant drift
 ///     superlinear         M ≥ 8 and q's interval lies above 1.2 (also when the drift is significant: both are said)

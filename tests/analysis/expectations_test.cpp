@@ -192,6 +192,54 @@ TEST(Expectation, MentionsMembersThatWereLeftOut) {
   EXPECT_THAT(outcome.found, HasSubstr("2 of 66 members failed and were left out"));
 }
 
+TEST(ExpectMean, LooksAtTheLastSample) {
+  auto expectation = expecting("energy", "elliptic-naive");
+  expectation.mean = Interval{-5e-13, -4e-13};  // 20 000 steps of −2.31e-17
+  auto const outcome = only(expectation);
+  EXPECT_TRUE(outcome.passed);
+  EXPECT_THAT(outcome.claim, HasSubstr(": mean at the end between −5.00e-13 and −4.00e-13"));
+  EXPECT_THAT(outcome.found, HasSubstr("mean = −4.62e-13 (standard error 3.2e-15) over 64 members"));
+  expectation.mean = Interval{-5e-13, -4.7e-13};
+  EXPECT_FALSE(only(expectation).passed);
+  expectation.mean = Interval{-4.6e-13, 0};
+  EXPECT_FALSE(only(expectation).passed);
+}
+
+TEST(ExpectRms, LooksAtTheLastSample) {
+  auto expectation = expecting("energy", "elliptic-naive");
+  expectation.rms_final = Interval{4e-13, 5e-13};
+  EXPECT_TRUE(only(expectation).passed);
+  EXPECT_THAT(only(expectation).claim, HasSubstr("RMS at the end between 4.00e-13 and 5.00e-13"));
+  EXPECT_THAT(only(expectation).found, HasSubstr("RMS = 4.60e-13 over 64 members"));
+  expectation.rms_final = Interval{0, 4.5e-13};
+  EXPECT_FALSE(only(expectation).passed);
+  auto rows = drifting_and_not();
+  rows[0].rms_final = std::nan("");
+  EXPECT_FALSE(only(expectation, rows).passed) << "every member failed";
+}
+
+TEST(Expectation, OfALawFailsForACountAndSaysThatItHasNone) {
+  auto row = presented_estimates("gauss-4", "iterations", 0);
+  row.count = {14.2, {13.9, 14.6}};
+  auto expectation = expecting("iterations");
+  expectation.drift = Wanted::none;
+  expectation.growth = Around{0.5, 0.1};
+  expectation.persistence = false;
+  expectation.step_exponent = Around{0.5, 0.1};
+  auto const outcomes = check({expectation}, {row}, no_sweep);
+  ASSERT_EQ(outcomes.size(), 4u);
+  for (auto const& outcome : outcomes) EXPECT_FALSE(outcome.passed) << outcome.claim;
+  EXPECT_THAT(outcomes[0].found, HasSubstr("iterations is a count: it has no drift"));
+  EXPECT_THAT(outcomes[1].found, HasSubstr("iterations is a count: it has no law of growth"));
+  EXPECT_THAT(outcomes[3].found, HasSubstr("iterations is a count: it has no law in h"));
+  Expectation mean = expecting("iterations");
+  row.mean.back() = 14.2;
+  mean.mean = Interval{5, 20};
+  mean.verdict = {"count"};
+  row.verdict = Verdict::count;
+  for (auto const& outcome : check({mean}, {row}, no_sweep)) EXPECT_TRUE(outcome.passed) << outcome.claim;
+}
+
 struct ExpectStepExponent : testing::Test {
   std::vector<Estimates> rows;
   Expectation expectation = expecting("energy");
@@ -220,6 +268,26 @@ TEST_F(ExpectStepExponent, FitsEachSetOfRowsThatDifferInTheStepAlone) {
   EXPECT_FALSE(outcomes[1].passed);
   EXPECT_THAT(outcomes[0].claim, testing::StartsWith("energy, a, double"));
   EXPECT_THAT(outcomes[0].found, HasSubstr("p = 0.51 ± 0.03, q = 0.500 ± 0.010 over 3 steps h = 0.01 … 0.04"));
+}
+
+TEST_F(ExpectStepExponent, IsFittedOverTheRangeOfStepsThatItSelects) {
+  for (auto const* method : {"a", "b"}) {
+    rows.push_back(presented_estimates(method, "energy", 0));
+    rows.back().cell.step = 0.08;
+  }
+  expectation.where.method = "a";
+  expectation.where.step_range = Interval{0.02, 0.08};  // both ends belong to it
+  std::vector<std::size_t> asked;
+  auto const fit = [&](std::vector<std::size_t> const& chosen) {
+    asked = chosen;
+    return SweepLaw{0.51, {0.48, 0.54}, 0.5, {0.49, 0.51}, 1, chosen.size()};
+  };
+  auto outcomes = check({expectation}, rows, fit);
+  EXPECT_EQ(asked, (std::vector<std::size_t>{2, 4, 6}));
+  ASSERT_EQ(outcomes.size(), 1u);
+  EXPECT_EQ(outcomes[0].claim, "energy, a, double, h = 0.02 … 0.08: grows as h^p t^q with p = 0.5 ± 0.05");
+  expectation.where.step_range = Interval{0.1, 0.2};
+  EXPECT_EQ(check({expectation}, rows, no_sweep)[0].claim, "energy where method = a, step = 0.1 … 0.2");
 }
 
 TEST_F(ExpectStepExponent, FailsWhereNoLawCanBeFitted) {

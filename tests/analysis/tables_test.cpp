@@ -11,8 +11,10 @@
 #include <sstream>
 
 #include "analysis/escape.hpp"
+#include "analysis/inference.hpp"
 #include "analysis/numbers.hpp"
 #include "tests/analysis/presented_estimates.hpp"
+#include "tests/analysis/simulated.hpp"
 
 namespace brouwer {
 namespace {
@@ -131,6 +133,28 @@ TEST(TextTable, MentionsMembersThatWereLeftOut) {
   rows[0].failed = 3;
   EXPECT_THAT(render_table(rows, TableFormat::text),
               HasSubstr("elliptic-naive, energy: 3 of 67 members were left out"));
+}
+
+TEST(EveryTableForPeople, SaysWhyMembersWereLeftOut) {
+  auto rows = two_methods();
+  rows[0].failed = 3;
+  rows[0].failures = {{"the iteration did not converge", 2, 1200}, {"collision", 1, 17}};
+  for (auto const format : {TableFormat::text, TableFormat::markdown, TableFormat::latex})
+    EXPECT_THAT(render_table(rows, format),
+                HasSubstr("elliptic-naive, energy: 3 of 67 members are left out: 2 because the iteration did not "
+                          "converge (the first at step 1200), 1 because of a collision (at step 17)."));
+  EXPECT_THAT(render_table(rows, TableFormat::json), HasSubstr("\"failures\": \"2 because the iteration"));
+}
+
+TEST(EveryTable, HasARowOfACountWithoutALaw) {
+  Ensemble iterations = simulated({}, 10, {1, 10, 100}, 1ul);
+  iterations.quantity = "iterations";
+  iterations.errors.setConstant(14);
+  iterations.count = true;
+  auto const row = estimate(iterations, {});
+  EXPECT_THAT(render_table({row}, TableFormat::text), testing::ContainsRegex("  14 +– +– +– +– +– +–  count\n"));
+  EXPECT_THAT(render_table({row}, TableFormat::json), HasSubstr("\"count\": {\"mean\": 14, \"range\": [14, 14]}"));
+  EXPECT_THAT(render_table(two_methods(), TableFormat::json), HasSubstr("\"count\": {\"mean\": null,"));
 }
 
 TEST(TextTable, OfAnEnsembleFromElsewhereClaimsNothingAboutIt) {

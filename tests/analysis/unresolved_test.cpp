@@ -47,5 +47,19 @@ TEST(FailedEnsemble, IsARowThatSaysSo) {
     EXPECT_THAT(render_table({e}, format), Not(HasSubstr("nan")));
 }
 
+TEST(FailedEnsemble, SaysWhyItsMembersFailed) {
+  Ensemble ensemble;
+  ensemble.quantity = "energy";
+  ensemble.times = {1, 10, 100};
+  ensemble.errors.resize(0, 3);
+  ensemble.failed = 5;
+  ensemble.failures = {{"the iteration did not converge", 5, 3}};
+  auto const e = estimate(ensemble, {});
+  EXPECT_EQ(e.verdict, Verdict::not_resolved);
+  EXPECT_EQ(e.sentence,
+            "Not resolved: all 5 members failed: 5 because the iteration did not converge (the first at step 3); is "
+            "the step too large for this method?");
+}
+
 }  // namespace
 }  // namespace brouwer

@@ -143,6 +143,16 @@ TEST(Verdict, ExactGoesBeforeEverything) {
   EXPECT_EQ(verdict_of(e), Verdict::exact);
 }
 
+TEST(Verdict, ACountHasNoLawWhateverItsNumbersAre) {
+  auto e = walk();
+  e.drift.p = 1e-9;
+  e.count = {14.21, {13.9, 14.6}};
+  e.unit = "iterations per step";
+  EXPECT_EQ(verdict_of(e), Verdict::count);
+  EXPECT_EQ(sentence_of(e, Verdict::count),
+            "Count: 14.2 iterations per step in the mean (13.9 … 14.6 over members and samples).");
+}
+
 TEST(Verdict, OneMemberIsNeverResolved) {
   auto e = walk();
   e.members = 1;
@@ -159,6 +169,7 @@ TEST(Verdict, EveryVerdictHasItsWord) {
   EXPECT_EQ(to_string(Verdict::bounded), "bounded");
   EXPECT_EQ(to_string(Verdict::faster_than_drift), "superlinear");
   EXPECT_EQ(to_string(Verdict::not_resolved), "not resolved");
+  EXPECT_EQ(to_string(Verdict::count), "count");
 }
 
 class EverySentence : public testing::TestWithParam<Verdict> {};
@@ -190,6 +201,23 @@ TEST(Sentence, SaysThatMembersFailed) {
   auto e = walk();
   e.failed = 3;
   EXPECT_THAT(sentence_of(e, Verdict::random_walk), testing::EndsWith("; 3 of 67 members failed and are left out."));
+}
+
+TEST(Sentence, SaysWhyTheyFailed) {
+  auto e = walk();
+  e.failed = 3;
+  e.failures = {{"the iteration did not converge", 2, 1200}, {"collision", 1, 17}};
+  EXPECT_THAT(sentence_of(e, Verdict::random_walk),
+              testing::EndsWith("; 3 of 67 members are left out: 2 because the iteration did not converge (the first "
+                                "at step 1200), 1 because of a collision (at step 17)."));
+  e.failed = 1;
+  e.failures = {{"escape", 1, 17}};
+  EXPECT_THAT(sentence_of(e, Verdict::random_walk),
+              testing::EndsWith("; 1 of 65 members is left out: 1 because of an escape (at step 17)."));
+  e.failed = 4;
+  e.failures = {{"", 3, -1}, {"escape", 1, 17}};
+  EXPECT_THAT(sentence_of(e, Verdict::random_walk),
+              HasSubstr("4 of 68 members are left out: 3 because an error is not finite, 1 because of an escape"));
 }
 
 TEST(Sentence, SpeaksOfTheUnitOfTimeThatTheEnsembleHas) {

@@ -30,7 +30,7 @@ struct Damage : testing::Test {
 
   Scratch folder;
   std::filesystem::path file = folder / "unit.h5";
-  UnitRecord unit = sample_unit();
+  UnitRecord unit = full_unit();
   std::string whole;
 };
 
@@ -58,6 +58,26 @@ TEST_F(Damage, OfAnyNumberIsSeen) {
       put(bytes);
       EXPECT_EQ(reading(), Reading::refused) << series.name;
     }
+}
+
+TEST_F(Damage, OfAStateOfAReasonOrOfAStepIsSeen) {
+  std::string const step(reinterpret_cast<char const*>(unit.failed_at.data()), 2 * sizeof(std::int64_t));
+  std::string const state(reinterpret_cast<char const*>(&unit.states[31]), sizeof unit.states[31]);
+  for (auto const& part : {std::string("did not converge"), step, state}) {
+    auto bytes = whole;
+    bytes[bytes.rfind(part)] ^= 2;
+    put(bytes);
+    EXPECT_EQ(reading(), Reading::refused);
+  }
+}
+
+TEST_F(Damage, ByTheLossOfOneListOfFailuresIsSeen) {
+  {
+    hdf5::Session const session;
+    hdf5::Handle const opened(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT));
+    hdf5::checked(H5Ldelete(opened, "failure", H5P_DEFAULT));
+  }
+  EXPECT_THAT([&] { read_unit_header(file); }, ThrowsMessage<RunError>(HasSubstr("failure")));
 }
 
 TEST_F(Damage, ByTruncationIsSeen) {

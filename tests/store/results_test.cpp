@@ -86,6 +86,41 @@ TEST_F(UnitsInAFolder, LeavesOutMembersThatFailedInThatQuantityAlone) {
   EXPECT_EQ(results().load(0, "casimir").failed, 0);
 }
 
+/// Member 3 and 5 did not converge, 4 and 12 collided, 7 is not finite for no recorded reason, 10 and 11 are of a unit
+/// from before reasons were recorded.
+TEST_F(UnitsInAFolder, TellsWhyMembersAreLeftOut) {
+  auto const give_up = [](UnitRecord& unit, std::size_t member) {
+    for (auto& series : unit.series)
+      if (member < static_cast<std::size_t>(series.members)) series.errors[4 * member + 3] = std::nan("");
+  };
+  std::string const diverged = "the iteration did not converge";
+  auto first = sample_unit(0, 8), second = sample_unit(8, 3), third = sample_unit(12, 1);
+  first.failed_at = {-1, -1, -1, 1000, 17, 120, -1, -1};
+  first.failure = {"", "", "", diverged, "collision", diverged, "", ""};
+  third.failed_at = {5}, third.failure = {"collision"};
+  for (auto const member : {3U, 4U, 5U, 7U}) give_up(first, member);
+  give_up(second, 2), give_up(second, 1), give_up(third, 0);
+  put(first), put(second), put(third);
+  auto const ensemble = results().load(0, "energy");
+  EXPECT_EQ(ensemble.failed, 7);
+  EXPECT_EQ(ensemble.errors.rows(), 5);
+  EXPECT_TRUE(ensemble.errors.allFinite());
+  EXPECT_THAT(ensemble.failures,
+              ElementsAre(Failures{"", 3, -1}, Failures{diverged, 2, 120}, Failures{"collision", 2, 5}));
+  EXPECT_TRUE(results().load(0, "y1").failures == (std::vector<Failures>{{"", 2, -1}, {"collision", 1, 5}}))
+      << "only three members of each unit are compared with a reference";
+}
+
+TEST_F(UnitsInAFolder, LeavesOutAMemberThatFailedWhateverItsNumbersAre) {
+  auto unit = full_unit(0);
+  put(unit);
+  auto const ensemble = results().load(0, "iterations");
+  EXPECT_TRUE(ensemble.count);
+  EXPECT_FALSE(results().load(0, "energy").count);
+  ASSERT_EQ(ensemble.errors.rows(), 3);
+  EXPECT_EQ(ensemble.errors(1, 0), unit.series.back().errors[8]) << "member 2 follows member 0";
+}
+
 TEST_F(UnitsInAFolder, MayHaveNoMemberThatDidNotFail) {
   auto unit = sample_unit(0, 2);
   unit.series[0].errors.assign(8, std::nan(""));

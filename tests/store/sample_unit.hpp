@@ -69,6 +69,17 @@ inline UnitRecord sample_unit(std::int64_t first = 64, std::int64_t members = 5)
   return unit;
 }
 
+/// All that a unit may hold: members that failed, a series that counts, states at the samples.
+inline UnitRecord full_unit(std::int64_t first = 64) {
+  UnitRecord unit = sample_unit(first);
+  unit.reference = "mpfr-256";
+  unit.series.push_back({"iterations", "iterations", "iterations per step", 5, distinct_numbers(20, 9), true});
+  unit.failed_at = {-1, 17, -1, 1000, -1};
+  unit.failure = {"", "collision", "", "the iteration did not converge", ""};
+  unit.states = distinct_numbers(5 * 4 * 3, 3);
+  return unit;
+}
+
 /// Makes a unit as it was written before the factor `coefficients`.
 inline void forget_coefficients(std::filesystem::path const& file) {
   hdf5::Session const session;
@@ -82,16 +93,17 @@ inline bool same_bits(std::vector<double> const& a, std::vector<double> const& b
 
 inline bool same(Series const& a, Series const& b) {
   return a.name == b.name && a.quantity == b.quantity && a.unit == b.unit && a.members == b.members &&
-         same_bits(a.errors, b.errors);
+         a.count == b.count && same_bits(a.errors, b.errors);
 }
 
 inline bool same(UnitRecord const& a, UnitRecord const& b) {
-  return a.study_hash == b.study_hash && a.cell == b.cell && a.first_member == b.first_member &&
-         a.members == b.members && a.sample_steps == b.sample_steps &&
+  return a.study_hash == b.study_hash && a.cell == b.cell && a.reference == b.reference &&
+         a.first_member == b.first_member && a.members == b.members && a.sample_steps == b.sample_steps &&
          std::equal(a.series.begin(), a.series.end(), b.series.begin(), b.series.end(),
                     [](auto const& x, auto const& y) { return same(x, y); }) &&
          a.start_names == b.start_names && same_bits(a.start, b.start) && a.state_names == b.state_names &&
-         same_bits(a.final_state, b.final_state);
+         same_bits(a.final_state, b.final_state) && a.failed_at == b.failed_at && a.failure == b.failure &&
+         same_bits(a.states, b.states);
 }
 
 }  // namespace brouwer

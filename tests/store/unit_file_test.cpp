@@ -29,6 +29,30 @@ TEST(UnitFile, ReturnsWhatWasWrittenBitForBit) {
   expect_return(unit);
 }
 
+TEST(UnitFile, ReturnsWhoFailedWhatCountsAndTheStates) { expect_return(full_unit()); }
+
+TEST(UnitFile, GivesItsStatesAlone) {
+  Scratch const folder;
+  write_unit(folder / "unit.h5", full_unit());
+  write_unit(folder / "old.h5", sample_unit());
+  EXPECT_TRUE(same_bits(read_states(folder / "unit.h5"), full_unit().states));
+  EXPECT_TRUE(read_states(folder / "old.h5").empty());
+}
+
+TEST(UnitFile, OfWhichNothingMoreIsToBeSaidIsAsItWasBeforeThereWasMore) {
+  Scratch const folder;
+  write_unit(folder / "unit.h5", sample_unit());
+  write_unit(folder / "full.h5", full_unit());
+  auto const bytes = read_whole(folder / "unit.h5"), full = read_whole(folder / "full.h5");
+  for (auto const* name : {"failed_at", "failure", "states", "count"}) {
+    EXPECT_THAT(bytes, testing::Not(HasSubstr(name)));
+    EXPECT_THAT(full, HasSubstr(name));
+  }
+  write_unit(folder / "again.h5", read_unit(folder / "unit.h5"));
+  EXPECT_EQ(read_whole(folder / "again.h5"), bytes);
+  EXPECT_TRUE(read_unit(folder / "unit.h5").failed_at.empty());
+}
+
 TEST(UnitFile, KeepsTheOrderOfItsSeries) {
   Scratch const folder;
   write_unit(folder / "unit.h5", sample_unit());
@@ -49,11 +73,12 @@ TEST(UnitFile, FromBeforeTheFactorCoefficientsHasNone) {
 
 TEST(UnitFile, HeaderHasEverythingButTheNumbers) {
   Scratch const folder;
-  UnitRecord unit = sample_unit();
+  UnitRecord unit = full_unit();
   write_unit(folder / "unit.h5", unit);
   for (auto& series : unit.series) series.errors.clear();
   unit.start.clear();
   unit.final_state.clear();
+  unit.states.clear();
   EXPECT_TRUE(same(unit, read_unit_header(folder / "unit.h5")));
 }
 
@@ -70,9 +95,9 @@ TEST(UnitFile, OneSeriesCanBeReadIntoItsPlace) {
 
 TEST(UnitFile, IsTheSameBytesWhenWrittenAgain) {
   Scratch const folder;
-  write_unit(folder / "first.h5", sample_unit());
+  write_unit(folder / "first.h5", full_unit());
   ::sleep(1);  // long enough for a time stamp to differ
-  std::thread([&] { write_unit(folder / "second.h5", sample_unit()); }).join();
+  std::thread([&] { write_unit(folder / "second.h5", full_unit()); }).join();
   EXPECT_EQ(read_whole(folder / "first.h5"), read_whole(folder / "second.h5"));
 }
 
@@ -115,9 +140,13 @@ TEST(UnitFile, MayBeEmpty) { expect_return(UnitRecord{}); }
 
 TEST(UnitFile, RefusesARecordWhoseArraysDoNotFit) {
   Scratch const folder;
-  UnitRecord unit = sample_unit();
-  unit.series[2].errors.pop_back();
-  EXPECT_THROW(write_unit(folder / "unit.h5", unit), std::logic_error);
+  std::vector<UnitRecord> units(5, full_unit());
+  units[0].series[2].errors.pop_back();
+  units[1].failed_at.pop_back();
+  units[2].failure.clear();
+  units[3].failed_at.clear();
+  units[4].states.pop_back();
+  for (auto const& unit : units) EXPECT_THROW(write_unit(folder / "unit.h5", unit), std::logic_error);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
@@ -135,12 +164,14 @@ TEST(UnitFile, SaysThatItIsNotThere) {
 TEST(UnitFile, IsUnderstoodByNetcdf) {
   if (std::system("command -v ncdump > /dev/null") != 0) GTEST_SKIP() << "ncdump (netcdf-bin) is not installed";
   Scratch const folder;
-  write_unit(folder / "unit.h5", sample_unit());
+  write_unit(folder / "unit.h5", full_unit());
   auto const dump = folder / "dump.txt";
   ASSERT_EQ(std::system(("ncdump -v step '" + (folder / "unit.h5").string() + "' > " + dump.string()).c_str()), 0);
   auto const text = read_whole(dump);
   EXPECT_THAT(text, HasSubstr("double energy(member, step)"));
   EXPECT_THAT(text, HasSubstr("double y1(member_3, step)"));
+  EXPECT_THAT(text, HasSubstr("int64 failed_at(member)"));
+  EXPECT_THAT(text, HasSubstr("double states(member, step, state_component)"));
   EXPECT_THAT(text, HasSubstr("step = 1, 10, 100, 1000"));
 }
 

@@ -15,6 +15,7 @@ namespace brouwer {
 //     study.toml         the study as it was read, with overrides applied
 //     provenance.txt     with what and on what it was computed; a further block for each resumption elsewhere
 //     units/cell-000/members-000000.h5 …      finished units (file.hpp); a cell's members from the number on
+//     timings.csv        what each unit cost (timings.hpp)
 //     plan.txt           what the units are of (FolderPlan); written last: a folder without it is not begun
 
 /// plan.txt: `study = <hash>`, the study's canonical text (`key = value` a line), then one line a cell.

@@ -37,7 +37,7 @@ struct Series {
 
 /// Members that have no next state for one reason.
 struct Failures {
-  std::string reason;  ///< "the iteration did not converge"; "" where none was recorded
+  std::string reason;  ///< a clause, "the iteration did not converge", or one noun, "collision"; "" where not recorded
   std::int64_t members = 0;
   std::int64_t first_step = -1;  ///< the earliest step at which one of them failed; −1 where not recorded
   bool operator==(Failures const&) const = default;

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <limits>
 #include <span>
 #include <system_error>
 
 #include <brouwer/error.hpp>
 #include <brouwer/spelling.hpp>
+#include <brouwer/store/failures.hpp>
 #include <brouwer/store/file.hpp>
 #include <brouwer/store/folder.hpp>
+#include <brouwer/store/timings.hpp>
 #include <brouwer/store/whole_file.hpp>
 
 namespace brouwer {
@@ -61,7 +64,7 @@ std::vector<std::string> component_names(std::vector<FinishedUnit> const& units)
 
 /// A unit's share of one component: where it lies and how many members it has.
 struct Part {
-  fs::path file;
+  FinishedUnit const* unit;
   Series header;
 };
 
@@ -69,7 +72,7 @@ std::vector<Part> parts_of(std::vector<FinishedUnit> const& units, std::string c
   std::vector<Part> parts;
   for (auto const& unit : units)
     for (auto const& series : unit.header.series)
-      if (series.name == component && series.members > 0) parts.push_back({unit.file, series});
+      if (series.name == component && series.members > 0) parts.push_back({&unit, series});
   return parts;
 }
 
@@ -81,24 +84,18 @@ ErrorMatrix read(std::vector<Part> const& parts, Eigen::Index samples) {
   auto rest = std::span(errors.data(), static_cast<std::size_t>(errors.size()));
   for (auto const& part : parts) {
     auto const size = static_cast<std::size_t>(part.header.members * samples);
-    read_series(part.file, part.header.name, rest.first(size));
+    read_series(part.unit->file, part.header.name, rest.first(size));
     rest = rest.subspan(size);
   }
   return errors;
 }
 
-/// Moves the members whose errors are all finite to the front and cuts the others off.
-/// @return how many were cut off
-Eigen::Index drop_failed(ErrorMatrix& errors) {
-  Eigen::Index kept = 0;
-  for (Eigen::Index member = 0; member < errors.rows(); ++member) {
-    if (!errors.row(member).allFinite()) continue;
-    if (kept < member) errors.row(kept) = errors.row(member);
-    ++kept;
-  }
-  auto const failed = errors.rows() - kept;
-  if (failed > 0) errors.conservativeResize(kept, Eigen::NoChange);
-  return failed;
+/// What became of the members of all parts, in the same order.
+std::vector<Fate> fates(std::vector<Part> const& parts) {
+  std::vector<Fate> all;
+  for (auto const& part : parts)
+    for (auto& fate : fates_of(part.unit->header, part.header.members)) all.push_back(std::move(fate));
+  return all;
 }
 
 /// The line `members = …` of a study's canonical text; 0 where there is none.
@@ -127,6 +124,18 @@ Results::Results(fs::path folder) : folder_(std::move(folder)) {
 
 std::string Results::study_text() const { return read_whole(folder_ / "study.toml"); }
 
+double Results::seconds_per_member(std::size_t cell) const {
+  auto const timings = read_timings(folder_);
+  Timing sum;
+  for (auto const& unit : cells_.at(cell).units)
+    if (auto const found = timings.find(unit_path(cell, unit.header.first_member).generic_string());
+        found != timings.end()) {
+      sum.members += found->second.members;
+      sum.seconds += found->second.seconds;
+    }
+  return sum.members > 0 ? sum.seconds / static_cast<double>(sum.members) : std::numeric_limits<double>::quiet_NaN();
+}
+
 Ensemble Results::load(std::size_t number, std::string const& quantity) const {
   auto const& cell = cells_.at(number);
   auto const parts = parts_of(cell.units, quantity);
@@ -138,7 +147,8 @@ Ensemble Results::load(std::size_t number, std::string const& quantity) const {
   Ensemble ensemble{
       cell.labels, quantity, first.quantity, first.unit, {steps.begin(), steps.end()}, read(parts, std::ssize(steps))};
   ensemble.count = first.count;
-  ensemble.failed = drop_failed(ensemble.errors);
+  ensemble.failures = drop_failed(ensemble.errors, fates(parts));
+  for (auto const& failures : ensemble.failures) ensemble.failed += failures.members;
   return ensemble;
 }
 

@@ -17,9 +17,9 @@ struct Ensemble {
   std::string quantity;  ///< component name, e.g. "energy", "spatial-momentum-1"
   std::string family;    ///< the quantity it belongs to, e.g. "spatial-momentum"
   std::string unit;
-  std::vector<double> times;            ///< increasing, > 0; in steps
-  ErrorMatrix errors;                   ///< members × times; every entry finite
-  std::int64_t failed = 0;              ///< members left out because an error was not finite
+  std::vector<double> times;  ///< increasing, > 0; in steps
+  ErrorMatrix errors;         ///< members × times; every entry finite
+  std::int64_t failed = 0;    ///< members left out because they failed: no next state, or an error that is not finite
   std::string time_unit = "step";       ///< of `times`; "time unit" for ensembles of other programs
   std::vector<Failures> failures = {};  ///< of the members left out, by reason, those of most members first
   bool count = false;                   ///< `errors` are numbers of something (iterations per step): no law of growth
@@ -53,10 +53,12 @@ class Results {
   /// How many of the planned members are finished.
   std::int64_t finished_members(std::size_t cell) const { return cells_[cell].members; }
 
-  /// All finished members of cell `number` that have this component. @throws InputError if there is none of that name.
   /// How many members each cell is to have.
   std::int64_t planned_members() const { return planned_members_; }
+  /// CPU seconds that a member of the cell took, over those units of which timings.csv knows it; NaN where of none.
+  double seconds_per_member(std::size_t cell) const;
 
+  /// All finished members of cell `number` that have this component. @throws InputError if there is none of that name.
   Ensemble load(std::size_t number, std::string const& quantity) const;
 
  private:

@@ -1,0 +1,43 @@
+#include "analysis/failures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace brouwer {
+namespace {
+
+/// A reason is a clause ("the iteration did not converge") or one noun ("collision").
+std::string because(std::string const& reason) {
+  if (reason.empty()) return "because an error is not finite";
+  if (reason.find(' ') != std::string::npos) return "because " + reason;
+  bool const vowel = std::string("aeiou").find(reason[0]) != std::string::npos;
+  return fmt::format("because of {} {}", vowel ? "an" : "a", reason);
+}
+
+std::string when(Failures const& failures) {
+  if (failures.first_step < 0) return "";
+  return fmt::format(" ({}at step {})", failures.members > 1 ? "the first " : "", failures.first_step);
+}
+
+}  // namespace
+
+std::string reasons(Estimates const& e) {
+  bool const recorded =
+      std::any_of(e.failures.begin(), e.failures.end(), [](auto const& failures) { return !failures.reason.empty(); });
+  if (!recorded) return "";
+  std::vector<std::string> words;
+  for (auto const& failures : e.failures)
+    words.push_back(fmt::format("{} {}{}", failures.members, because(failures.reason), when(failures)));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string left_out(Estimates const& e, std::string const& unrecorded) {
+  if (e.failed == 0) return "";
+  auto const why = reasons(e);
+  bool const one = e.failed == 1 && !why.empty();
+  return fmt::format("{} of {} members{}", e.failed, e.members + e.failed,
+                     why.empty() ? unrecorded : (one ? " is left out: " : " are left out: ") + why);
+}
+
+}  // namespace brouwer
