@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <set>
 
@@ -35,6 +36,7 @@ std::vector<Member<T>> members_of_all_kinds(std::size_t count, bool attitude) {
     for (double& y : c.momentum) y *= pace;
     if (i >= cases.size())
       for (double& inertia : c.inertia) inertia *= uniform(0.95, 1.05);
+    std::ranges::sort(c.inertia);
     members.push_back({c.body<T>(), T(0.05), c.start<T>(), attitude});
   }
   members[1].step = T(50);

@@ -1,5 +1,5 @@
 #pragma once
-#include <brouwer/integrators/dmv.hpp>
+#include <brouwer/integrators/dmv_exact.hpp>
 #include <brouwer/integrators/elliptic_branch_free.hpp>
 #include <brouwer/integrators/elliptic_naive.hpp>
 #include <brouwer/integrators/elliptic_three_constants.hpp>
@@ -44,7 +44,8 @@ using RigidBodySteppers = testing::Types<  //
     DmvFamily<8, PerStep>,                 //
     DmvFamily<8, PerTrajectory>,           //
     DmvFamily<10, PerStep>,                //
-    DmvFamily<10, PerTrajectory>>;
+    DmvFamily<10, PerTrajectory>,          //
+    Family<DmvExact>>;
 
 // --- those of a list that run in lanes: they say so by `static constexpr bool runs_in_lanes = true` --------------------
 

@@ -1,52 +1,17 @@
 #pragma once
-#include <brouwer/integrators/addition_step.hpp>
-#include <brouwer/special/gauss_legendre.hpp>
-#include <brouwer/systems/attitude_frame.hpp>
+#include <brouwer/integrators/symmetric_step.hpp>
 
 namespace brouwer {
-
-/// ρ of EllipticAttitude for one trajectory and step, from Δψ over the step whose middle is at y₂ = 0: there
-///     ρ = 4bq/(hg) − 2H(M)/|M|²,    c·M = b|M|²
-/// @param nodes  of the Gauss–Legendre quadrature of dψ/dt, which is even about the middle
-template <Real W>
-W attitude_constant(RigidBody<W> const& body, Vector3<W> const& start, W const& h, int nodes) {
-  EllipticConstants<W> const c(body);
-  EllipticBranch<W> const branch(c, start);
-  Vector3<W> const middle = branch.momentum({W(0), W(1), W(1)});
-  auto const after_middle = [&](W const& time) {
-    AdditionStep<W> const step(c, Wider<W>(time), middle);
-    return step.next(step.half(middle), middle);
-  };
-  Vector3<W> const after = after_middle(h / W(2)), before{after[0], -after[1], after[2]};
-  Vector3<W> const M{after[0] + before[0], W(0), after[2] + before[2]};
-  W const n = squared_norm(M);
-  if (!(n > W(0))) return W(0);
-
-  EllipticBranch<W> const here(c, before);
-  AttitudeFrame<W> const frame(here, before);
-  int const dn_axis = here.exchanged ? 0 : 2;
-  W psi = W(0);
-  GaussLegendre<W> const rule(nodes);
-  for (auto const& node : rule.nodes()) {
-    W const along = here.side() * after_middle(h * node.x / W(2))[dn_axis];
-    psi += h * node.weight * attitude_rate(W(W(2) * body.energy(before)), frame.r, along, body.inertia()[dn_axis]);
-  }
-  auto const turn = frame.turn_less_one({W(0), after[1] - before[1], W(0)}, psi);
-  W const b = (turn.x() * M[0] + turn.z() * M[2]) / ((W(1) + turn.w()) * n);
-  AdditionStep<W> const step(c, Wider<W>(h), middle);
-  auto const half = step.half(middle);
-  return W(2) * b * (W(1) + half.slope_less_one) / (step.shortest() * half.g) - W(2) * body.energy(M) / n;
-}
 
 /// The attitude over one step of an elliptic integrator, from the momentum before the step and its change d, in closed
 /// form. The rotation (1, c)/√(1 + |c|²) takes y' = y + d back to y: with M = y + y'
 ///     c = bM + 2 d×y/|M|²
 /// for some b, the only unknown. The discrete Moser–Veselov step with constants η, of which c = αη(M/2), is exact in
-/// momentum and attitude where η, as its preprocessing says, depends on the first integrals in the right way (dmv.hpp: the
-/// limit of its orders; measured to 70 digits in tests/contracts, not proved). Comparing it with the addition theorem
-/// over the step gives, with g, q, E, λ of half the step (addition_step.hpp),
+/// momentum and attitude where 2η/h = σ/I + δ with the right σ and δ (dmv_exact.hpp, docs/dmv-exact.md). Comparing it with
+/// the addition theorem over the step gives, with g, q, E, λ of half the step (addition_step.hpp),
 ///     b = (h/4) (gE/q) (2H(M)/|M|² + ρ) / (1 + λ₁λ₃g²y₂y₂')
-/// where ρ, of size h², depends on the first integrals and h alone. It is found once, at the start, from a quadrature.
+/// where ρ = δ/σ, of size h², depends on the first integrals and h alone. It is found once, at the start, from a
+/// quadrature (symmetric_step.hpp).
 /// That Q y is conserved does not depend on it.
 ///
 /// A step that turns the body by more than a radian is made in pieces.
@@ -116,7 +81,7 @@ class EllipticAttitude {
                           static_cast<double>(sqrt(squared_norm(of_lane(y)))) /
                           static_cast<double>(lane(body.inertia()[0], i));
     int const nodes = GaussLegendre<E>::nodes_needed(std::clamp(length, 1e-12, 1.0), singularity_distance);
-    return attitude_constant(RigidBody<W>(of_lane(body.inertia())), of_lane(y), W(lane(time, i)), nodes);
+    return symmetric_step(RigidBody<W>(of_lane(body.inertia())), of_lane(y), W(lane(time, i)), nodes).rho;
   }
 
   /// (1, c)/√(1 + |c|²) − 1 over a common denominator N = q(1 + λ₁λ₃g²y₂y₂')|M|²
