@@ -1,0 +1,197 @@
+#pragma once
+#include <array>
+#include <limits>
+
+#include <brouwer/integrators/gauss_coefficients.hpp>
+#include <brouwer/integrators/stages.hpp>
+#include <brouwer/integrators/stepper.hpp>
+#include <brouwer/systems/system.hpp>
+
+namespace brouwer {
+
+/// An implicit Runge–Kutta method in one of the forms of its coefficients (gauss_coefficients.hpp):
+///     Yᵢ = y + Σⱼ mᵢⱼkⱼ    kᵢ = hwᵢ rate(Yᵢ)    increment Σⱼ vⱼkⱼ
+/// solved by fixed-point iteration for k, stage after stage, each with the newest of the others (Gauss–Seidel). Where the
+/// system is separable a turn finds the velocities of all stages, then the forces: for as many evaluations it gains
+/// twice the digits. The first iterate is k = hw rate(y): a step has no history to extrapolate from.
+///
+/// A component is at rest when no stage's k moved at all in it, or when its largest move is no smaller than
+/// one before: rounding alone is left. (E. Hairer, R. I. McLachlan, A. Razakarivony, BIT Numer. Math. 48 (2008) 231;
+/// by components M. Antoñana, J. Makazaga, A. Murua, Numer. Algorithms 76 (2017) 861.) The standard form, which shows what
+/// a tolerance does, also takes a move below u|y| for rest, u = ε/2. A lane is frozen when all its components are at
+/// rest in one turn, and none moved by more than 2¹⁰ ε of the step's size: before that, growing moves are no noise.
+/// One that does not come to rest in `limit` turns becomes NaN.
+template <FieldSystem S>
+class ImplicitRungeKutta {
+ public:
+  using System = S;
+  using Scalar = typename System::Scalar;
+  using State = typename System::State;
+  static constexpr bool runs_in_lanes = true;
+  static constexpr int limit = 50 + 8 * significand_bits<Scalar>;  ///< linear convergence, at worst 1/8 bit a turn
+
+  ImplicitRungeKutta(Setup<System> const& setup, ImplicitMethod const& method, CoefficientForm form)
+      : system_(setup.system),
+        coefficients_(&implicit_coefficients<Element<Scalar>>(method, form)),
+        tolerance_(form == CoefficientForm::standard ? Scalar(epsilon<Scalar>() / Scalar(2)) : Scalar(0)) {
+    set_steps(setup.step);
+  }
+
+  State increment(State const& y) const {
+    Scalar turns(0);
+    return increment(y, turns);
+  }
+
+  State increment(State const& y, Scalar& turns) const {
+    Iterate e = begin(y);
+    for (int i = 0; i < limit && any(e.active); ++i) {
+      turns = turns + select(e.active, Scalar(1), Scalar(0));
+      turn(y, e);
+    }
+    return finish(e);
+  }
+
+  /// Why the step from y gives no finite state.
+  Failure failure(State const& y, int l) const {
+    if (!is_finite(y, l)) return Failure::not_finite;
+    Iterate e = begin(y);
+    for (int i = 0; i < limit && is_set(e.active, l); ++i) {
+      for (std::size_t stage = 0; stage < stages(); ++stage)
+        if (auto const reason = failure_of_stage(system_, stage_value(stage, y, e), l); reason != Failure::none)
+          return reason;
+      turn(y, e);
+    }
+    return is_set(e.active, l) ? Failure::no_convergence : failure_of_ends(system_, y, finish(e), l);
+  }
+
+ private:
+  static constexpr std::size_t most_stages = ImplicitMethod::most_stages;
+  using Stages = std::array<State, most_stages>;
+
+  /// The stages' changes, being found.
+  struct Iterate {
+    Stages k;
+    State least;   ///< of each component the smallest of its largest moves that were not zero
+    Scalar noise;  ///< above this, moves are no noise
+    Mask<Scalar> active;
+  };
+
+  std::size_t stages() const { return coefficients_->stages; }
+
+  /// hwᵢ, rounded once. In the symplectic form the outermost are what the others leave of h, so that Σ hwᵢ = h to rounding:
+  /// time goes on by h (Antoñana, Makazaga, Murua).
+  void set_steps(Scalar const& h) {
+    using W = Wider<Scalar>;
+    std::size_t const s = stages();
+    for (std::size_t i = 0; i < s; ++i) steps_[i] = rounded<Scalar>(W(W(h) * W(coefficients_->w[i])));
+    if (s < 2 || coefficients_->w[0] == Wider<Element<Scalar>>(1)) return;
+    W left(h);
+    for (std::size_t i = 1; i + 1 < s; ++i) left = left - W(steps_[i]);
+    steps_[0] = steps_[s - 1] = rounded<Scalar>(W(left / W(2)));
+  }
+
+  Iterate begin(State const& y) const {
+    using math::abs;
+    State const rate = system_.rate(y);
+    Iterate e;
+    e.least = y;
+    e.noise = Scalar(0);
+    e.active = Scalar(0) < Scalar(1);
+    for (std::size_t i = 0; i < stages(); ++i) {
+      e.k[i] = rate;
+      for_components([&](Scalar& k) { k = steps_[i] * k; }, e.k[i]);
+    }
+    for_components(
+        [&e](Scalar& least, Scalar const& start, Scalar const& change) {
+          e.noise = larger(Scalar(abs(start) + abs(change)), e.noise);
+          least = std::numeric_limits<Scalar>::infinity();
+        },
+        e.least, y, e.k[0]);
+    e.noise = Scalar(1024) * epsilon<Scalar>() * e.noise;
+    return e;
+  }
+
+  void turn(State const& y, Iterate& e) const {
+    State moved = y;
+    for_components([](Scalar& move) { move = Scalar(0); }, moved);
+    if constexpr (SeparableSystem<System>) {
+      for (std::size_t i = 0; i < stages(); ++i)
+        accept(i, system_.velocity(stage_part(i, y, e, momenta)), e, moved, coordinates);
+      for (std::size_t i = 0; i < stages(); ++i)
+        accept(i, system_.force(stage_part(i, y, e, coordinates)), e, moved, momenta);
+    } else {
+      for (std::size_t i = 0; i < stages(); ++i) accept(i, system_.rate(stage_value(i, y, e)), e, moved, whole);
+    }
+    look(y, moved, e);
+  }
+
+  // what of a state a stage is formed of, and a rate put in
+  static constexpr auto whole = [](auto& s) -> auto& { return s; };
+  static constexpr auto coordinates = [](auto& s) -> auto& { return s.q; };
+  static constexpr auto momenta = [](auto& s) -> auto& { return s.p; };
+
+  template <class PartOf>
+  auto stage_part(std::size_t i, State const& y, Iterate const& e, PartOf part) const {
+    auto const& c = *coefficients_;
+    return added<Scalar>(part(y), combined(c.m[i], c.m_rest[i], e.k, part));
+  }
+  State stage_value(std::size_t i, State const& y, Iterate const& e) const { return stage_part(i, y, e, whole); }
+
+  /// Σⱼ mⱼkⱼ from the first stage to the last, and the same with the rest, added at the end.
+  template <class PartOf>
+  auto combined(StageVector<Element<Scalar>> const& m, StageVector<Element<Scalar>> const& rest, Stages const& k,
+                PartOf part) const {
+    auto sum = combined(m, k, part);
+    if (coefficients_->has_rest) sum = added<Scalar>(sum, combined(rest, k, part));
+    return sum;
+  }
+  template <class PartOf>
+  auto combined(StageVector<Element<Scalar>> const& m, Stages const& k, PartOf part) const {
+    auto sum = weighted<Scalar>(m[0], part(k[0]));
+    for (std::size_t j = 1; j < stages(); ++j) add_weighted<Scalar>(sum, m[j], part(k[j]));
+    return sum;
+  }
+
+  template <class Rate, class PartOf>
+  void accept(std::size_t i, Rate const& rate, Iterate& e, State& moved, PartOf part) const {
+    for_numbers(
+        [&](Scalar& k, Scalar& move, Scalar const& r) {
+          using math::abs;
+          Scalar const next = steps_[i] * r;
+          move = larger(Scalar(abs(next - k)), move);
+          k = select(e.active, next, k);
+        },
+        part(e.k[i]), part(moved), rate);
+  }
+
+  /// Which lanes go on. One with a NaN does not: it compares as no move.
+  void look(State const& y, State const& moved, Iterate& e) const {
+    using math::abs;
+    Scalar largest(0);
+    auto falling = Scalar(1) < Scalar(0);
+    for_components(
+        [&](Scalar& least, Scalar const& move, Scalar const& start) {
+          falling = either(falling, both(move > tolerance_ * abs(start), move < least));
+          least = select(move > Scalar(0), smaller(move, least), least);
+          largest = larger(move, largest);
+        },
+        e.least, moved, y);
+    e.active = both(e.active, either(falling, largest > e.noise));
+  }
+
+  State finish(Iterate const& e) const {
+    auto const& c = *coefficients_;
+    State change = combined(c.v, c.v_rest, e.k, whole);
+    if (any(e.active))
+      for_components([&e](Scalar& d) { d = select(e.active, Scalar(std::numeric_limits<Scalar>::quiet_NaN()), d); },
+                     change);
+    return change;
+  }
+
+  System system_;
+  ImplicitCoefficients<Element<Scalar>> const* coefficients_;  ///< kept for ever
+  Scalar tolerance_;
+  StageVector<Scalar> steps_{};  ///< hwᵢ
+};
+
+}  // namespace brouwer
