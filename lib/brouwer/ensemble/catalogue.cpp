@@ -6,6 +6,8 @@
 #include <brouwer/ensemble/method.hpp>
 #include <brouwer/error.hpp>
 #include <brouwer/spelling.hpp>
+#include <brouwer/systems/double_well.hpp>
+#include <brouwer/systems/henon_heiles.hpp>
 
 namespace brouwer {
 namespace {
@@ -85,7 +87,8 @@ std::vector<std::string> coefficient_levels(Catalogue const& catalogue, std::str
 Catalogue builtin_catalogue() {
   Catalogue catalogue;
   catalogue.arithmetics = arithmetic_entries();
-  catalogue.add(describe_rigid_body());
+  for (auto const& system : {describe_rigid_body(), describe_double_well(), describe_henon_heiles()})
+    catalogue.add(system);
 #define BROUWER_ADD_NUMBERS(family)         \
   BROUWER_ADD(family, hardware)(catalogue); \
   BROUWER_ADD(family, software)(catalogue);

@@ -11,6 +11,7 @@
 #include <brouwer/store/file.hpp>
 #include <brouwer/store/folder.hpp>
 #include <brouwer/store/provenance.hpp>
+#include <brouwer/store/timings.hpp>
 
 namespace brouwer {
 namespace {
@@ -88,6 +89,7 @@ bool run(Study const& study, std::string const& study_text, Catalogue const& cat
       auto const outcome = compute_unit(study, catalogue, plan, unit, hash, progress, stop, options.widest);
       if (!outcome.finished) continue;
       write_unit(folder / unit.file, outcome.record);
+      append_timing(folder, unit.file, unit.members, outcome.seconds);
       progress.units_done.fetch_add(1);
     } catch (...) {
       failure.keep_current();

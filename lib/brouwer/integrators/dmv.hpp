@@ -69,6 +69,12 @@ class DmvStep {
     return {dy, attitude_increment(s.attitude, {k.eta[0] * m[0], k.eta[1] * m[1], k.eta[2] * m[2]}, alpha, rotation2)};
   }
 
+  /// η is no number where the modified inertia does not exist; otherwise it is the iteration that has not settled.
+  Failure failure(State const& s, int l) const {
+    auto const eta = lane(constants_of(begin(s)).eta[0], l);
+    return eta - eta == Element<T>(0) ? Failure::no_convergence : Failure::step_too_large;
+  }
+
   State increment(State const& s) const {
     Equation e = begin(s);
     for (int i = 0; i < blind_turns(); ++i) turn(s, e);

@@ -16,6 +16,9 @@ class EllipticBase {
   using State = RigidBodyState<T>;
   static constexpr int order = 0;
 
+  /// A finite state that has no next one is turned too often by a step (elliptic_attitude.hpp).
+  static Failure failure(State const&, int) { return Failure::step_too_large; }
+
  protected:
   explicit EllipticBase(Setup<System> const& setup) : body_(setup.system), constants_(setup.system), h_(setup.step) {
     if (setup.whole_state) attitude_.emplace(setup.system, constants_, setup.step, setup.start.momentum);

@@ -55,16 +55,15 @@ class HenonHeiles {
 /// proportion to time (by a factor 0.3 t up to t = 10⁵, measured), so that states can be compared with a reference for a
 /// long time. q = (0, 0.3), p = (0.3714835124, 0.2), with H = 1/8, is chaotic: Lyapunov exponent 0.03.
 inline SystemDescription describe_henon_heiles() {
-  return {
-      "henon_heiles",
-      "Henon-Heiles: H = (|p|^2 + |q|^2)/2 + q1^2 q2 - q2^3/3",
-      {{"position", 2, false, "1", "q; bound inside the triangle (0, 1), (+-sqrt(3)/2, -1/2)", {0, 0.25}},
-       {"momentum", 2, false, "1", "p = q'; the orbit stays bound where H < 1/6", {0.375, 0.125}}},
-      {energy_quantity("H; error relative to |H(0)|"), state_quantity(2, "1"), phase_quantity(), iterations_quantity()},
-      {"q1", "q2", "p1", "p2"},
-      4,
-      false,
-      finite_complaint};
+  return {"henon_heiles",
+          "Henon-Heiles: H = (|p|^2 + |q|^2)/2 + q1^2 q2 - q2^3/3",
+          {{"position", 2, false, "1", "q; bound inside the triangle (0, 1), (+-sqrt(3)/2, -1/2)", {0, 0.25}},
+           {"momentum", 2, false, "1", "p = q'; the orbit stays bound where H < 1/6", {0.375, 0.125}}},
+          {energy_quantity("H; error relative to |H(0)|"), state_quantity(2, "1"), phase_quantity()},
+          {"q1", "q2", "p1", "p2"},
+          4,
+          false,
+          finite_complaint};
 }
 
 }  // namespace brouwer

@@ -93,7 +93,7 @@ inline std::vector<Quantity> energies_of_one_degree(std::string const& scale) {
 /// All that is observed of one degree of freedom.
 inline std::vector<Quantity> quantities_of_one_degree(std::string const& scale, std::string const& unit) {
   auto quantities = energies_of_one_degree(scale);
-  quantities.insert(quantities.end(), {state_quantity(1, unit), phase_quantity(), iterations_quantity()});
+  quantities.insert(quantities.end(), {state_quantity(1, unit), phase_quantity()});
   return quantities;
 }
 
