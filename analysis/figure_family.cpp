@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -82,7 +84,7 @@ void describe_cells(Family& family, std::vector<CellLabels> const& cells) {
 std::string family_name(Estimates const& row) { return row.family.empty() ? row.quantity : row.family; }
 
 Family family_of(std::string const& name, std::vector<Estimates> const& rows,
-                 std::vector<std::vector<double>> const& final_errors) {
+                 std::vector<std::vector<double>> const& final_errors, std::vector<double> const& cpu_seconds) {
   Family family;
   family.name = name;
   std::vector<CellLabels> cells;
@@ -90,8 +92,9 @@ Family family_of(std::string const& name, std::vector<Estimates> const& rows,
     if (family_name(rows[i]) != name) continue;
     auto const* errors = i < final_errors.size() && !final_errors[i].empty() ? &final_errors[i] : nullptr;
     family.unit = rows[i].unit;
+    double const seconds = i < cpu_seconds.size() ? cpu_seconds[i] : std::numeric_limits<double>::quiet_NaN();
     family.rows.push_back(
-        {&rows[i], errors, index_of(cells, rows[i].cell), index_of(family.components, rows[i].quantity)});
+        {&rows[i], errors, index_of(cells, rows[i].cell), index_of(family.components, rows[i].quantity), seconds});
   }
   std::stable_sort(family.rows.begin(), family.rows.end(),
                    [](auto const& a, auto const& b) { return a.cell < b.cell; });
@@ -117,16 +120,25 @@ std::string Family::error_label(std::string const& what) const {
   return what + of + (unit.empty() ? "" : " [" + unit + "]");
 }
 
-std::vector<Family> families(std::vector<Estimates> const& rows, std::vector<std::vector<double>> const& final_errors) {
+std::vector<Family> families(std::vector<Estimates> const& rows, std::vector<std::vector<double>> const& final_errors,
+                             std::vector<double> const& cpu_seconds) {
   std::vector<std::string> names;
   for (auto const& row : rows) index_of(names, family_name(row));
   std::vector<Family> all;
-  for (auto const& name : names) all.push_back(family_of(name, rows, final_errors));
+  for (auto const& name : names) all.push_back(family_of(name, rows, final_errors, cpu_seconds));
   name_files(all);
   return all;
 }
 
 std::string distinct_colour(std::size_t index) { return okabe_ito[index % okabe_ito.size()]; }
+
+std::string paler(std::string const& colour, double white) {
+  auto const mixed = [&](std::size_t at) {
+    auto const value = static_cast<double>(std::strtol(colour.substr(at, 2).c_str(), nullptr, 16));
+    return static_cast<int>(std::lround(value + white * (255 - value)));
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}", mixed(1), mixed(3), mixed(5));
+}
 
 std::string plot_number(double x) { return std::isfinite(x) ? fmt::format("{:.9g}", x) : "NaN"; }
 

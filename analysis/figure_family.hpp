@@ -13,6 +13,7 @@ struct Family {
     Estimates const* estimates;
     std::vector<double> const* final_errors;  ///< null where they are not known
     std::size_t cell, component;              ///< indices below
+    double cpu_seconds;                       ///< of a member; NaN where not known
   };
   std::string name, stem, unit;
   std::vector<std::string> cells;       ///< labels: what tells a cell from the others
@@ -28,7 +29,8 @@ struct Family {
 };
 
 /// In the order in which quantities first appear. Pointers into the arguments are kept.
-std::vector<Family> families(std::vector<Estimates> const& rows, std::vector<std::vector<double>> const& final_errors);
+std::vector<Family> families(std::vector<Estimates> const& rows, std::vector<std::vector<double>> const& final_errors,
+                             std::vector<double> const& cpu_seconds = {});
 
 /// Does it grow as a walk or as a drift? RMS on logarithmic axes, a panel a component, a curve a cell.
 FigureSheet growth_sheet(Family const& family);
@@ -39,8 +41,18 @@ FigureSheet histogram_sheet(Family const& family);
 /// Does the mean leave zero? A panel a cell, a curve a component.
 FigureSheet mean_sheet(Family const& family);
 
+/// What does precision cost? Error at the end against steps, and against CPU time where it is known, a line a method.
+/// No panels where fewer than two steps h end at the same time.
+FigureSheet precision_sheet(Family const& family);
+
+/// Of a count: mean over members with their spread. A panel a component, a curve a cell.
+FigureSheet count_sheet(Family const& family);
+
 /// Colours that readers with any kind of colour vision tell apart (Okabe & Ito 2008), up to seven.
 std::string distinct_colour(std::size_t index);
+
+/// "#rrggbb" mixed with white: 0 leaves it, 1 is white.
+std::string paler(std::string const& colour, double white);
 
 /// "NaN" as gnuplot reads it, otherwise nine digits.
 std::string plot_number(double x);

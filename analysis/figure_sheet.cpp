@@ -106,6 +106,7 @@ std::string panel_script(Panel const& panel, Geometry const& g, int index) {
   text += label(panel.title, g.x(left), g.y(top + (two_lines ? 26 : 10)), "left " + g.font(11));
   if (two_lines)
     text += label(panel.subtitle, g.x(left), g.y(top + 9), "left " + g.font(10) + " textcolor rgb '#555555'");
+  if (!panel.x_label.empty()) text += label(panel.x_label, g.x(left + g.panel_width / 2), g.y(16), "center");
   if (!panel.scale.empty()) text += label(panel.scale, g.x(left - 6), g.y(top + 9), "right " + g.font(10));
   for (auto const& setting : panel.settings) text += setting + '\n';
   return text + plotted(panel.curves) + "unset label\n";

@@ -12,6 +12,7 @@ struct Panel {
   std::string scale;                  ///< above the vertical axis: "×10⁻¹⁵"
   std::vector<std::string> settings;  ///< gnuplot commands: ranges, logarithmic axes
   std::vector<std::string> curves;    ///< elements of a plot command
+  std::string x_label = {};           ///< where the panels of a single row have different ones
 };
 
 /// A figure as data: panels in a grid, one title that asks a question, one legend beside them.

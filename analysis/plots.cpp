@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include <brouwer/error.hpp>
 #include <brouwer/spelling.hpp>
@@ -34,7 +35,8 @@ void write_file(std::filesystem::path const& file, std::string const& content) {
 
 std::vector<FigureSheet> sheets_of(Family const& family) {
   std::vector<FigureSheet> sheets;
-  for (auto* const sheet : {growth_sheet, histogram_sheet, mean_sheet})
+  if (family.rows.front().estimates->count) return {count_sheet(family)};
+  for (auto* const sheet : {growth_sheet, histogram_sheet, mean_sheet, precision_sheet})
     if (auto drawn = sheet(family); !drawn.panels.empty()) sheets.push_back(std::move(drawn));
   return sheets;
 }
@@ -52,19 +54,24 @@ void draw(FigureSheet const& sheet, FigureFormat format, std::filesystem::path c
 }  // namespace
 
 Figures draw_figures(std::vector<Estimates> const& estimates, std::vector<std::vector<double>> const& final_errors,
-                     std::filesystem::path const& folder, std::string const& format) {
+                     std::filesystem::path const& folder, std::string const& format,
+                     std::vector<double> const& cpu_seconds) {
   auto const chosen = figure_format(format);
   make_folder(folder);
   auto rows = estimates;  // where every member failed there is nothing to draw
   auto last = final_errors;
+  auto seconds = cpu_seconds;
   last.resize(rows.size());
+  seconds.resize(rows.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = rows.size(); i-- > 0;)
     if (std::isnan(rows[i].rms_final)) {
-      rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(i));
-      last.erase(last.begin() + static_cast<std::ptrdiff_t>(i));
+      auto const at = static_cast<std::ptrdiff_t>(i);
+      rows.erase(rows.begin() + at);
+      last.erase(last.begin() + at);
+      seconds.erase(seconds.begin() + at);
     }
   Figures figures;
-  for (auto const& family : families(rows, last))
+  for (auto const& family : families(rows, last, seconds))
     for (auto const& sheet : sheets_of(family)) draw(sheet, chosen, folder, figures);
   return figures;
 }

@@ -12,15 +12,18 @@ struct Figures {
   std::string note;  ///< a sentence, where gnuplot is missing or failed; scripts and data are kept
 };
 
-/// Draws three figures of each quantity (its components and all cells together) with gnuplot: growth-NAME (RMS on
+/// Draws the figures of each quantity (its components and all cells together) with gnuplot: growth-NAME (RMS on
 /// logarithmic axes with its band, the fitted law and Brouwer's σ√t), histogram-NAME (final errors, standardised,
-/// against the normal law) and mean-NAME (mean over members with its interval, fitted drift). Beside each figure lie
-/// its script NAME.gp, which runs as it stands, and its data NAME.dat.
+/// against the normal law), mean-NAME (mean over members with its interval, fitted drift) and, where steps h of a method
+/// end at the same time, precision-NAME (error against steps and against CPU time); of a count, count-NAME alone. Beside
+/// each figure lie its script NAME.gp, which runs as it stands, and its data NAME.dat.
 /// @param final_errors  row by row of the estimates, the members' errors at the last sample; where empty, no histogram
+/// @param cpu_seconds   row by row, what a member took; NaN or missing where not known
 /// @param folder        made if it does not exist
 /// @param format        svg, png or pdf
 /// @throws InputError for another format, RunError where the folder cannot be written
 Figures draw_figures(std::vector<Estimates> const& estimates, std::vector<std::vector<double>> const& final_errors,
-                     std::filesystem::path const& folder, std::string const& format);
+                     std::filesystem::path const& folder, std::string const& format,
+                     std::vector<double> const& cpu_seconds = {});
 
 }  // namespace brouwer

@@ -165,6 +165,10 @@ constexpr Kind kinds[] = {
     {"histogram-",
      "Final errors of the members, less their mean and over their standard deviation. The sum of many "
      "small independent errors is normal."},
+    {"precision-",
+     "Error at the end against work: steps, and CPU time of a member where it was recorded. Points of a line differ in "
+     "their step h alone."},
+    {"count-", "Mean over members, and their standard deviation."},
     {"mean-", "Mean over members. Where its interval leaves zero for good, the members share a drift."},
 };
 

@@ -50,11 +50,13 @@ void Findings::analyse(std::size_t results) {
   say_if_unfinished(stored);
   for (std::size_t cell = 0; cell < stored.cells(); ++cell) {
     if (stored.finished_members(cell) == 0) continue;
+    double const seconds = stored.seconds_per_member(cell);
     for (auto const& quantity : stored.quantities(cell)) {
       Ensemble const ensemble = stored.load(cell, quantity);
       rows_.push_back(estimate(ensemble, levels_));
       places_.push_back({results, cell});
       final_errors_.push_back(final_errors_of(ensemble));
+      cpu_seconds_.push_back(seconds);
     }
   }
 }
@@ -87,8 +89,9 @@ void print_outcomes(std::vector<Outcome> const& outcomes, std::vector<std::strin
 }
 
 void draw_and_say(std::vector<Estimates> const& rows, std::vector<std::vector<double>> const& final_errors,
-                  std::filesystem::path const& folder, std::string const& format) {
-  auto const figures = draw_figures(rows, final_errors, folder, format);
+                  std::filesystem::path const& folder, std::string const& format,
+                  std::vector<double> const& cpu_seconds) {
+  auto const figures = draw_figures(rows, final_errors, folder, format, cpu_seconds);
   fmt::print(stderr, "{} figures in {}\n", figures.files.size(), folder.string());
   if (!figures.note.empty()) fmt::print(stderr, "brouwer: {}\n", figures.note);
 }

@@ -18,6 +18,8 @@ class Findings {
   std::vector<Estimates> const& rows() const { return rows_; }
   /// Of each row, the members' errors at the last sample.
   std::vector<std::vector<double>> const& final_errors() const { return final_errors_; }
+  /// Of each row, the CPU seconds that a member took; NaN where not recorded.
+  std::vector<double> const& cpu_seconds() const { return cpu_seconds_; }
   Ensemble ensemble(std::size_t row) const;
 
   std::vector<Outcome> check(std::vector<Expectation> const& expectations) const;
@@ -33,6 +35,7 @@ class Findings {
   std::vector<Estimates> rows_;
   std::vector<Place> places_;  // of each row
   std::vector<std::vector<double>> final_errors_;
+  std::vector<double> cpu_seconds_;
 };
 
 std::vector<double> final_errors_of(Ensemble const& ensemble);
@@ -43,7 +46,8 @@ void print_outcomes(std::vector<Outcome> const& outcomes, std::vector<std::strin
 
 /// Draws the figures and says where they are, or why not, on standard error.
 void draw_and_say(std::vector<Estimates> const& rows, std::vector<std::vector<double>> const& final_errors,
-                  std::filesystem::path const& folder, std::string const& format);
+                  std::filesystem::path const& folder, std::string const& format,
+                  std::vector<double> const& cpu_seconds = {});
 
 /// `done` where all have passed, otherwise `expectation_failed`.
 int exit_status(std::vector<Outcome> const& outcomes);

@@ -22,7 +22,8 @@ int run(RunCommand const& command, Catalogue const& catalogue) {
   auto const outcomes = findings.check(file.expectations);
   print_outcomes(outcomes, file.unjudged);
   if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), "standard output");
-  if (!command.no_figures) draw_and_say(findings.rows(), findings.final_errors(), folder / "figures", "svg");
+  if (!command.no_figures)
+    draw_and_say(findings.rows(), findings.final_errors(), folder / "figures", "svg", findings.cpu_seconds());
   return exit_status(outcomes);
 }
 
