@@ -91,7 +91,7 @@ TYPED_TEST(RigidBodyStepper, ConservesTheFirstIntegralsToRounding) {
       return body.first_integrals(wide);
     };
     auto const before = integrals(c.start<double>()), after = integrals(advanced<S>(c, 0.05, 400));
-    for (std::size_t i = 0; i < before.size(); ++i)
+    for (std::size_t i = testing_support::conserves_energy<TypeParam> ? 0 : 1; i < before.size(); ++i)
       EXPECT_LT(static_cast<double>(abs(after[i] - before[i])), 2e-13 * size_of(c) * size_of(c)) << c.name << ' ' << i;
   }
 }

@@ -3,6 +3,7 @@
 #include <brouwer/integrators/elliptic_branch_free.hpp>
 #include <brouwer/integrators/elliptic_naive.hpp>
 #include <brouwer/integrators/elliptic_three_constants.hpp>
+#include <brouwer/integrators/rigid_body_splitting.hpp>
 #include <gtest/gtest.h>
 
 // Every stepper of the rigid body, one line each: what is listed here keeps the promises of the contract tests.
@@ -20,6 +21,19 @@ struct DmvFamily {
   template <class T>
   using In = Dmv<T, order, Coefficients>;
 };
+
+template <Composition const& composition>
+struct SplittingFamily {
+  template <class T>
+  using In = RigidBodySplittingBy<T, composition>;
+  static constexpr bool conserves_energy = false;  ///< to its order only
+};
+
+template <class F>
+inline constexpr bool conserves_energy = true;
+template <class F>
+requires requires { F::conserves_energy; }
+inline constexpr bool conserves_energy<F> = F::conserves_energy;
 
 template <class T>
 using Naive = EllipticNaive<T, OwnElliptic>;
@@ -45,7 +59,11 @@ using RigidBodySteppers = testing::Types<  //
     DmvFamily<8, PerTrajectory>,           //
     DmvFamily<10, PerStep>,                //
     DmvFamily<10, PerTrajectory>,          //
-    Family<DmvExact>>;
+    Family<DmvExact>,                      //
+    SplittingFamily<base_method>,          //
+    SplittingFamily<suzuki_4>,             //
+    SplittingFamily<kahan_li_6>,           //
+    SplittingFamily<suzuki_umeno_8>>;
 
 // --- those of a list that run in lanes: they say so by `static constexpr bool runs_in_lanes = true` --------------------
 

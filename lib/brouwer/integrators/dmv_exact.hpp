@@ -21,7 +21,7 @@ struct DmvExactParameters {
 ///
 /// The step conserves C, H and Qy whatever σ and δ are, so that it differs from the flow by a shift along the trajectory
 /// and a turn about Qy, the same at every point of it (docs/dmv-exact.md): if it is the flow at one point it is so
-/// everywhere. At the point of SymmetricStep both sides are known: αη = (S/2)(1/I + ρ) there, hence
+/// everywhere. At the point of SymmetricStep both sides are known: αη = S(1/I + ρ) there, hence
 ///     δ = ρσ    σ = S/(hα/2)    α = 1 + |c|²
 /// @param body   single numbers, no packs; inertia sorted
 /// @param y      momentum anywhere on the trajectory

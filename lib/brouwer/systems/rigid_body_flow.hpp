@@ -25,6 +25,7 @@ class RigidBodyFlow {
         resting_(at_rest(constants_, start.momentum)),
         side_(sign_of(branch_.y_cn)),
         rate_(branch_.rate(constants_.c3)) {
+    using math::abs;
     if (!resting_) argument_ = functions_.argument(T(side_ * branch_.c_cn * branch_.y_sn), T(side_ * branch_.y_cn));
     periodic_ = !resting_ && branch_.modulus < T(1);
     if (periodic_) {
@@ -50,6 +51,7 @@ class RigidBodyFlow {
 
  private:
   T total_angle(T const& t) const {
+    using std::floor;
     if (!periodic_) return angle(t);
     T const periods = floor(T(t / period_));
     return periods * angle_of_period_ + angle(T(t - periods * period_));
