@@ -56,12 +56,12 @@ class ImplicitRungeKutta {
     if (!is_finite(y, l)) return Failure::not_finite;
     Iterate e = begin(y);
     for (int i = 0; i < limit && is_set(e.active, l); ++i) {
-      for (std::size_t stage = 0; stage < stages(); ++stage)
-        if (auto const reason = failure_of_stage(system_, stage_value(stage, y, e), l); reason != Failure::none)
-          return reason;
+      if (auto const reason = failure_of_stages(y, e, l); reason != Failure::none) return reason;
       turn(y, e);
     }
-    return is_set(e.active, l) ? Failure::no_convergence : failure_of_ends(system_, y, finish(e), l);
+    if (is_set(e.active, l)) return Failure::no_convergence;
+    auto const reason = failure_of_stages(y, e, l);
+    return reason == Failure::none ? failure_of_ends(system_, y, finish(e), l) : reason;
   }
 
  private:
@@ -136,6 +136,16 @@ class ImplicitRungeKutta {
     return added<Scalar>(part(y), combined(c.m[i], c.m_rest[i], e.k, part));
   }
   State stage_value(std::size_t i, State const& y, Iterate const& e) const { return stage_part(i, y, e, whole); }
+
+  /// What the system knows of any stage goes before that another one is not finite.
+  Failure failure_of_stages(State const& y, Iterate const& e, int l) const {
+    Failure reason = Failure::none;
+    for (std::size_t i = 0; i < stages(); ++i) {
+      auto const of_this = failure_of_stage(system_, stage_value(i, y, e), l);
+      if (of_this != Failure::none && (reason == Failure::none || reason == Failure::diverged)) reason = of_this;
+    }
+    return reason;
+  }
 
   /// Σⱼ mⱼkⱼ from the first stage to the last, and the same with the rest, added at the end.
   template <class PartOf>
