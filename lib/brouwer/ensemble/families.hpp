@@ -12,7 +12,14 @@ class Catalogue;
 //     sse2, avx2, avx512   packs. Each is an object that shows one symbol and keeps everything else to itself, so that no
 //                          function that needs the instructions can be taken for its namesake elsewhere. Only to be called
 //                          where the processor has them.
-#define BROUWER_FAMILIES(family) family(elliptic) family(dmv) family(double_well) family(henon_heiles)
+// clang-format off: one a line
+#define BROUWER_FAMILIES(family) \
+  family(elliptic)               \
+  family(rigid_body_splitting)   \
+  family(dmv)                    \
+  family(double_well)            \
+  family(henon_heiles)
+// clang-format on
 
 #define BROUWER_ADD(family, scalars) brouwer_add_##family##_##scalars
 #define BROUWER_DECLARE_FAMILY(family)                                \

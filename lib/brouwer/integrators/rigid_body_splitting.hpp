@@ -23,7 +23,7 @@ class RigidBodySplitting {
   using State = RigidBodyState<T>;
   static constexpr bool runs_in_lanes = true;
 
-  RigidBodySplitting(Setup<System> const& setup, Composition const& composition) : attitude_(setup.attitude) {
+  RigidBodySplitting(Setup<System> const& setup, Composition const& composition) : attitude_(setup.whole_state) {
     using W = Wider<T>;
     auto const I = setup.system.template in<W>().inertia();
     W before = W(0);

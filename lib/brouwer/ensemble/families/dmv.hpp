@@ -1,6 +1,7 @@
 #pragma once
 #include <brouwer/ensemble/method.hpp>
 #include <brouwer/integrators/dmv.hpp>
+#include <brouwer/integrators/dmv_exact.hpp>
 
 /// The discrete Moser–Veselov algorithm.
 namespace brouwer::families::dmv {
@@ -14,6 +15,9 @@ void for_each_method(Visit visit) {
   visit(OverCoefficients<Dmv6>{}, MethodText{"dmv-6", "rigid_body", "the same, preprocessed", hairer_vilmart});
   visit(OverCoefficients<Dmv8>{}, MethodText{"dmv-8", "rigid_body", "the same, preprocessed", hairer_vilmart});
   visit(OverCoefficients<Dmv10>{}, MethodText{"dmv-10", "rigid_body", "the same, preprocessed", hairer_vilmart});
+  visit(Plain<DmvExact>{},
+        MethodText{"dmv-exact", "rigid_body", "the same, preprocessed to order infinity: the flow itself",
+                   "brouwer, docs/dmv-exact.md"});
 }
 
 }  // namespace brouwer::families::dmv
