@@ -12,7 +12,7 @@ class Catalogue;
 //     sse2, avx2, avx512   packs. Each is an object that shows one symbol and keeps everything else to itself, so that no
 //                          function that needs the instructions can be taken for its namesake elsewhere. Only to be called
 //                          where the processor has them.
-// clang-format off: one a line
+// clang-format off
 #define BROUWER_FAMILIES(family) \
   family(elliptic)               \
   family(rigid_body_splitting)   \
