@@ -5,12 +5,14 @@
 #include <brouwer/integrators/explicit_tableaux.hpp>
 #include <brouwer/integrators/stages.hpp>
 #include <brouwer/integrators/stepper.hpp>
+#include <brouwer/scalar/wider.hpp>
 #include <brouwer/systems/system.hpp>
 
 namespace brouwer {
 
 /// An explicit Runge–Kutta method, by its tableau: kᵢ = h rate(y + Σ aᵢⱼ kⱼ), increment Σ bᵢ kᵢ. Sums run from the first
-/// stage to the last over the coefficients that are not zero, before y is added.
+/// stage to the last over the coefficients that are not zero, before y is added; stages that nothing uses (the eleventh of
+/// Fehlberg's order 8 is there for order 7) are not evaluated.
 template <FieldSystem S>
 class ExplicitRungeKutta {
  public:
@@ -22,8 +24,9 @@ class ExplicitRungeKutta {
   ExplicitRungeKutta(Setup<System> const& setup, ExplicitTableau const& tableau)
       : system_(setup.system), step_(setup.step) {
     auto const s = static_cast<std::size_t>(tableau.stages);
-    for (std::size_t i = 1; i < s; ++i) rows_.push_back(terms(std::span(tableau.a[i], i)));
-    rows_.push_back(terms(std::span(tableau.b, s)));
+    for (std::size_t i = 0; i < s; ++i)
+      rows_.push_back(tableau.uses(i) ? terms(std::span(tableau.a[i], i)) : std::vector<Term>());
+    weights_ = terms(std::span(tableau.b, s));
   }
 
   State increment(State const& y) const {
@@ -62,15 +65,14 @@ class ExplicitRungeKutta {
   template <class GoOn>
   State walk(State const& y, GoOn go_on) const {
     Stages k;
-    State change = y;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      State const stage = i == 0 ? y : sum(y, change);
+      if (i > 0 && rows_[i].empty()) continue;
+      State const stage = i == 0 ? y : sum(y, combined(rows_[i], k));
       if (!go_on(stage)) break;
       k[i] = system_.rate(stage);
       for_components([this](Scalar& a) { a = step_ * a; }, k[i]);
-      change = combined(rows_[i], k);
     }
-    return change;
+    return combined(weights_, k);
   }
 
   static State combined(std::vector<Term> const& row, Stages const& k) {
@@ -81,7 +83,8 @@ class ExplicitRungeKutta {
 
   System system_;
   Scalar step_;
-  std::vector<std::vector<Term>> rows_;  ///< of stages 2 … s, then the weights
+  std::vector<std::vector<Term>> rows_;  ///< empty: of the first stage, and of those that nothing uses
+  std::vector<Term> weights_;
 };
 
 }  // namespace brouwer

@@ -31,6 +31,13 @@ struct ExplicitTableau {
   int stages;
   Ratio a[most_stages][most_stages - 1];  ///< row i is stage i's
   Ratio b[most_stages];
+
+  /// Whether a later stage, or y', has the stage.
+  constexpr bool uses(std::size_t stage) const {
+    bool used = !b[stage].is_zero();
+    for (std::size_t i = stage + 1; i < most_stages; ++i) used = used || !a[i][stage].is_zero();
+    return used;
+  }
 };
 
 inline constexpr ExplicitTableau explicit_euler{
@@ -74,7 +81,7 @@ inline constexpr ExplicitTableau dormand_prince_5{
 inline constexpr ExplicitTableau fehlberg_8{
     "fehlberg-8",
     8,
-    "thirteen stages: the method of order 8 of the pair 7(8), with a fixed step",
+    "twelve of thirteen stages: the method of order 8 of the pair 7(8), with a fixed step",
     "E. Fehlberg, NASA Technical Report R-287, 1968",
     13,
     {{},

@@ -5,6 +5,7 @@
 #include <brouwer/integrators/gauss_coefficients.hpp>
 #include <brouwer/integrators/stages.hpp>
 #include <brouwer/integrators/stepper.hpp>
+#include <brouwer/scalar/wider.hpp>
 #include <brouwer/systems/system.hpp>
 
 namespace brouwer {

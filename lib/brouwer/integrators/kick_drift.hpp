@@ -6,6 +6,7 @@
 #include <brouwer/integrators/composition.hpp>
 #include <brouwer/integrators/stages.hpp>
 #include <brouwer/integrators/stepper.hpp>
+#include <brouwer/scalar/wider.hpp>
 #include <brouwer/systems/system.hpp>
 
 namespace brouwer {
