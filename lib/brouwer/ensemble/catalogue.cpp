@@ -8,6 +8,8 @@
 #include <brouwer/spelling.hpp>
 #include <brouwer/systems/double_well.hpp>
 #include <brouwer/systems/henon_heiles.hpp>
+#include <brouwer/systems/kepler.hpp>
+#include <brouwer/systems/pendulum.hpp>
 
 namespace brouwer {
 namespace {
@@ -87,7 +89,8 @@ std::vector<std::string> coefficient_levels(Catalogue const& catalogue, std::str
 Catalogue builtin_catalogue() {
   Catalogue catalogue;
   catalogue.arithmetics = arithmetic_entries();
-  for (auto const& system : {describe_rigid_body(), describe_double_well(), describe_henon_heiles()})
+  for (auto const& system :
+       {describe_rigid_body(), describe_double_well(), describe_pendulum(), describe_henon_heiles(), describe_kepler()})
     catalogue.add(system);
 #define BROUWER_ADD_NUMBERS(family)         \
   BROUWER_ADD(family, hardware)(catalogue); \

@@ -18,7 +18,9 @@ class Catalogue;
   family(rigid_body_splitting)   \
   family(dmv)                    \
   family(double_well)            \
-  family(henon_heiles)
+  family(pendulum)               \
+  family(henon_heiles)           \
+  family(kepler)
 // clang-format on
 
 #define BROUWER_ADD(family, scalars) brouwer_add_##family##_##scalars
