@@ -1,6 +1,5 @@
 #pragma once
 #include <brouwer/special/trigonometric.hpp>
-#include <brouwer/systems/constant_in_two_parts.hpp>
 #include <brouwer/systems/phase_errors.hpp>
 #include <brouwer/systems/system.hpp>
 
@@ -14,11 +13,14 @@ struct DoublePendulumParameters {
 };
 
 /// Two mass points on massless rods, the second hanging from the first, in the canonical coordinates of the angles q₁, q₂
-/// from the vertical. With Δ = q₁ − q₂, a = p₁/l₁, b = p₂/l₂ the velocities l₁q̇₁ = u, l₂q̇₂ = v along and H are
-///     u = (a − b cos Δ)/D    v = ((m₁/m₂) b + b − a cos Δ)/D    D = m₁ + m₂ sin²Δ
+/// from the vertical. With Δ = q₁ − q₂ and D = m₁ + m₂ sin²Δ
+///     q̇₁ = (l₂p₁ − l₁p₂ cos Δ) / (l₁²l₂D)    q̇₂ = (m₁ l₁p₂ + m₂ (l₁p₂ − l₂p₁ cos Δ)) / (m₂l₁l₂²D)
 ///     H = ½(q̇₁p₁ + q̇₂p₂) − (m₁ + m₂) g l₁ cos q₁ − m₂ g l₂ cos q₂
-/// so that H is not separable; and ∂H/∂Δ at constant momenta is −∂L/∂Δ at constant velocities, m₂uv sin Δ. From the
+/// so that H is not separable; ∂H/∂Δ at constant momenta is −∂L/∂Δ at constant velocities, m₂l₁l₂q̇₁q̇₂ sin Δ. From the
 /// Lagrangian in L. D. Landau, E. M. Lifshitz, Mechanics, section 5, problem 1, by Legendre's transformation.
+///
+/// No constant is formed from the parameters alone: each is multiplied with what depends on the state. A rounded
+/// (m₁ + m₂) g or 1/l₁ would be another pendulum's, the same in every step, and several of them one that has no energy.
 template <Real T>
 class DoublePendulum {
  public:
@@ -31,37 +33,37 @@ class DoublePendulum {
   static constexpr int first_integral_count = 1;  ///< H
   static constexpr int state_error_count = 5;     ///< q, p, phase
 
-  explicit DoublePendulum(DoublePendulumParameters<T> const& parameters)
-      : parameters_(parameters), constants_(converted<Wider<T>>(parameters)) {}
-  explicit DoublePendulum(std::span<T const> p) : DoublePendulum({{p[0], p[1]}, {p[2], p[3]}, p[4]}) {}
+  explicit DoublePendulum(DoublePendulumParameters<T> const& parameters) : parameters_(parameters) {}
+  explicit DoublePendulum(std::span<T const> p) : parameters_{{p[0], p[1]}, {p[2], p[3]}, p[4]} {}
 
   template <Real U>
   DoublePendulum<U> in() const {
-    return DoublePendulum<U>(converted<U>(parameters_));
+    auto const& [l, m, g] = parameters_;
+    return DoublePendulum<U>(DoublePendulumParameters<U>{{U(l[0]), U(l[1])}, {U(m[0]), U(m[1])}, U(g)});
   }
 
-  /// 44 operations, of them one division, and two sine_cosine.
+  /// 41 operations, of them two divisions, and two sine_cosine.
   State rate(State const& y) const {
     auto const first = sine_cosine(y.q[0]), second = sine_cosine(y.q[1]);
     T const sine = first.sin * second.cos - first.cos * second.sin;
-    auto const [u, v] = velocities(y.p, T(first.cos * second.cos + first.sin * second.sin), sine);
-    T const coupling = parameters_.mass[1] * ((u * v) * sine);
-    return {{constants_.inverse_length1 * u, constants_.inverse_length2 * v},
-            {-(coupling + constants_.weight1 * first.sin), coupling - constants_.weight2 * second.sin}};
+    auto const w = velocities(y.p, T(first.cos * second.cos + first.sin * second.sin), sine);
+    auto const& [l, m, g] = parameters_;
+    T const coupling = m[1] * ((l[0] * w[0]) * ((l[1] * w[1]) * sine));
+    auto const weight = weights(first.sin, second.sin);
+    return {w, {-(coupling + weight[0]), coupling - weight[1]}};
   }
 
   T energy(State const& y) const {
-    auto const first = sine_cosine(y.q[0]), second = sine_cosine(y.q[1]);
-    auto const q_rate = rate(y).q;
-    T const twice_kinetic = q_rate[0] * y.p[0] + q_rate[1] * y.p[1];
-    return twice_kinetic / T(2) - constants_.weight1 * first.cos - constants_.weight2 * second.cos;
+    auto const weight = weights(sine_cosine(y.q[0]).cos, sine_cosine(y.q[1]).cos);
+    return inner_product(rate(y).q, y.p) / T(2) - weight[0] - weight[1];
   }
 
   std::array<T, first_integral_count> first_integrals(State const& y) const { return {energy(y)}; }
 
   /// The start's energy over that of the pendulum that hangs at rest.
   std::array<T, first_integral_count> first_integral_scales(State const& start) const {
-    return {or_one(T(energy(start) + (constants_.weight1 * T(1) + constants_.weight2 * T(1))))};
+    auto const rest = weights(T(1), T(1));
+    return {or_one(T(energy(start) + rest[0] + rest[1]))};
   }
 
   std::array<T, state_error_count> state_errors(State const& y, State const& reference) const {
@@ -69,34 +71,22 @@ class DoublePendulum {
   }
 
  private:
-  using Parameters = DoublePendulumParameters<T>;
-
-  template <Real U>
-  static DoublePendulumParameters<U> converted(Parameters const& p) {
-    return {{U(p.length[0]), U(p.length[1])}, {U(p.mass[0]), U(p.mass[1])}, U(p.gravity)};
+  /// q̇₁, q̇₂
+  Part velocities(Part const& p, T const& cosine, T const& sine) const {
+    auto const& [l, m, g] = parameters_;
+    T const a = l[1] * p[0], b = l[0] * p[1];
+    T const below = l[0] * (l[1] * (m[0] + m[1] * (sine * sine)));
+    return {(a - b * cosine) / (l[0] * below), (m[0] * b + m[1] * (b - a * cosine)) / (m[1] * (l[1] * below))};
   }
 
-  struct Constants {
-    ConstantInTwoParts<T> inverse_length1, inverse_length2, mass_ratio;  ///< 1/l₁, 1/l₂, m₁/m₂
-    ConstantInTwoParts<T> weight1, weight2;                              ///< (m₁ + m₂) g l₁, m₂ g l₂
-
-    explicit Constants(DoublePendulumParameters<Wider<T>> const& p)
-        : inverse_length1(Wider<T>(1) / p.length[0]),
-          inverse_length2(Wider<T>(1) / p.length[1]),
-          mass_ratio(p.mass[0] / p.mass[1]),
-          weight1((p.mass[0] + p.mass[1]) * p.gravity * p.length[0]),
-          weight2(p.mass[1] * p.gravity * p.length[1]) {}
-  };
-
-  /// u, v
-  std::array<T, 2> velocities(Part const& p, T const& cosine, T const& sine) const {
-    T const a = constants_.inverse_length1 * p[0], b = constants_.inverse_length2 * p[1];
-    T const factor = T(1) / (parameters_.mass[0] + parameters_.mass[1] * (sine * sine));
-    return {factor * (a - b * cosine), factor * (constants_.mass_ratio * b + (b - a * cosine))};
+  /// (m₁ + m₂) g l₁ x₁ and m₂ g l₂ x₂: torques of sines, potential energies of cosines.
+  Part weights(T const& x1, T const& x2) const {
+    auto const& [l, m, g] = parameters_;
+    T const upper = g * (l[0] * x1);
+    return {m[0] * upper + m[1] * upper, m[1] * (g * (l[1] * x2))};
   }
 
-  Parameters parameters_;
-  Constants constants_;
+  DoublePendulumParameters<T> parameters_;
 };
 
 inline std::optional<std::string> double_pendulum_complaint(FieldValues const& values) {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <span>
 
-#include <brouwer/systems/constant_in_two_parts.hpp>
+#include <brouwer/scalar/wider.hpp>
 #include <brouwer/systems/description.hpp>
 #include <brouwer/systems/quaternion.hpp>
 
@@ -45,9 +45,8 @@ class RigidBody {
   static constexpr int first_integral_count = 6;  ///< H, C, (Qy)₁₂₃, |q|
   static constexpr int state_error_count = 7;     ///< momentum (3), attitude (3), phase
 
-  explicit RigidBody(Vector3<T> const& inertia)
-      : inertia_(inertia), reciprocals_{reciprocal(inertia[0]), reciprocal(inertia[1]), reciprocal(inertia[2])} {}
-  explicit RigidBody(std::span<T const> inertia) : RigidBody(Vector3<T>{inertia[0], inertia[1], inertia[2]}) {}
+  explicit RigidBody(Vector3<T> const& inertia) : inertia_(inertia) {}
+  explicit RigidBody(std::span<T const> inertia) : inertia_(inertia[0], inertia[1], inertia[2]) {}
 
   Vector3<T> const& inertia() const { return inertia_; }
 
@@ -62,15 +61,14 @@ class RigidBody {
   }
   Vector3<T> momentum_rate(Vector3<T> const& y) const { return cross(y, angular_velocity(y)); }
 
-  /// ẏ = y × ω and q̇ = ½ q ⊗ (0, ω) with one ω = I⁻¹y for both, so that rounding ω moves |y| and Qy by nothing but the
-  /// roundings of the products. No division: 1/Iⱼ in two parts, because a rounded one is another body's, which turns at
-  /// another rate, and rounded 1/I₃ − 1/I₂ … contradict one another. 42 operations, of them 3 halvings.
+  /// ẏ = y × ω and q̇ = ½ q ⊗ (0, ω), with one ω = I⁻¹y for both: then rounding ω moves neither |y| nor Qy. 36 operations.
+  /// The three divisions stay: a rounded 1/Iⱼ is another body's, the same in every step, from which states part in proportion
+  /// to time; and rounded 1/I₃ − 1/I₂ … do not add up to 0, which |y| would feel. A quotient errs to no side.
   State rate(State const& s) const {
-    auto const& y = s.momentum;
+    auto const omega = angular_velocity(s.momentum);
     auto const& q = s.attitude;
-    Vector3<T> const omega{reciprocals_[0] * y[0], reciprocals_[1] * y[1], reciprocals_[2] * y[2]};
     T const half = T(1) / T(2), a = half * omega[0], b = half * omega[1], c = half * omega[2];
-    return {cross(y, omega),
+    return {cross(s.momentum, omega),
             {-(q.x() * a + q.y() * b + q.z() * c), q.w() * a + q.y() * c - q.z() * b, q.w() * b + q.z() * a - q.x() * c,
              q.w() * c + q.x() * b - q.y() * a}};
   }
@@ -114,12 +112,7 @@ class RigidBody {
   }
 
  private:
-  static ConstantInTwoParts<T> reciprocal(T const& moment) {
-    return ConstantInTwoParts<T>(Wider<T>(Wider<T>(1) / Wider<T>(moment)));
-  }
-
   Vector3<T> inertia_;
-  std::array<ConstantInTwoParts<T>, 3> reciprocals_;  ///< 1/Iⱼ
 };
 
 /// Why these moments of inertia are no body's, or nothing.
