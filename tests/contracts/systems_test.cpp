@@ -280,6 +280,30 @@ void expect_lanes_to_be_scalars(SystemDescription const& description, Uniform& u
   }
 }
 
+TYPED_TEST(EverySystem, IsObservedInTwiceTheBitsOfADoubleInLanesToo) {
+  using P = DoubleDouble<Pack<double, 4>>;
+  auto const values = values_near_standard(this->description, this->uniform);
+  SystemCase<typename TypeParam::template In<double>> const one(this->description, values);
+  SystemCase<typename TypeParam::template In<DoubleDouble<double>>> const alone(this->description, values);
+  SystemCase<typename TypeParam::template In<Judge>> const judge(this->description, values);
+  std::vector<P> numbers;
+  for (double number : one.numbers) numbers.emplace_back(Pack<double, 4>(number));
+  using Packed = typename TypeParam::template In<P>;
+  Packed const packed =
+      SystemCase<typename TypeParam::template In<Pack<double, 4>>>(this->description, values).system.template in<P>();
+  auto const in_lanes = first_integrals(packed, Packed::State::from_components(numbers), P(0)),
+             scales = packed.first_integral_scales(Packed::State::from_components(numbers));
+  auto const by_itself = first_integrals(alone.system, alone.state, DoubleDouble<double>(0));
+  auto const exact = first_integrals(judge.system, judge.state, Judge(0));
+  for (std::size_t k = 0; k < exact.size(); ++k) {
+    EXPECT_TRUE(all(scales[k] > P(0)));
+    EXPECT_LT(abs(Judge(static_cast<Judge>(by_itself[k]) - exact[k])), Judge("1e-29")) << k;
+    for (int l = 0; l < 4; ++l) EXPECT_TRUE(lane(in_lanes[k], l) == by_itself[k]) << k << ", lane " << l;
+  }
+  SystemCase<typename TypeParam::template In<Float128>> const wide(this->description, values);
+  for (auto const& error : wide.system.state_errors(wide.state, wide.state)) EXPECT_EQ(error, 0);
+}
+
 TYPED_TEST(EverySystem, HasTheBitsOfItsScalarRunInEveryLane) {
   expect_lanes_to_be_scalars<TypeParam, double, 2>(this->description, this->uniform);
   expect_lanes_to_be_scalars<TypeParam, double, 4>(this->description, this->uniform);
