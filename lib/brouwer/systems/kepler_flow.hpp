@@ -57,8 +57,9 @@ struct StumpffFunctions {
 /// with r = r₀ + ηG₁ + ζG₂ = dt/ds. Circles, ellipses, parabolas, hyperbolas, also through a collision (e = 1, L = 0, where a
 /// body comes back the way it went). J. M. A. Danby, Fundamentals of Celestial Mechanics (1988), section 6.9.
 ///
-/// Ellipses are reduced to half a period. The error is a few ulp of T times the number of periods, and more where r is
-/// much smaller than r₀: take a T wider than what is judged.
+/// Ellipses are reduced to half a period. Error: with semi-major axis 1 and e = 0.6 about 30 ε of T within a period and 2εt
+/// over 10⁴ periods; more where a body is fast, 10⁷ ε near the pericentre of e = 1 − 10⁻⁶; measured in Float128, not proved.
+/// Take a T wider than what is judged.
 template <Real T>
 class KeplerFlow {
  public:
