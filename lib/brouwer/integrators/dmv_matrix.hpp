@@ -2,38 +2,10 @@
 #include <Eigen/LU>
 
 #include <brouwer/integrators/stepper.hpp>
+#include <brouwer/special/matrix_sign.hpp>
 #include <brouwer/systems/rigid_body.hpp>
 
 namespace brouwer {
-
-namespace detail {
-
-/// The projection on the invariant subspace of the eigenvalues with Re λ > 0, along that of the others: (1 + sign A)/2.
-/// Method:   Newton's iteration Z ← (cZ + Z⁻¹/c)/2 for sign A, c² = |Z⁻¹|/|Z|: J. D. Roberts, Int. J. Control 32 (1980)
-///           677; R. Byers, Linear Algebra Appl. 85 (1987) 267.
-/// @return   no numbers where an eigenvalue lies on the imaginary axis, or the iteration does not come to rest
-template <class Matrix>
-Matrix projection_on_positive_eigenvalues(Matrix const& A) {
-  using T = typename Matrix::Scalar;
-  using math::sqrt;
-  constexpr int limit = 64;
-  Matrix const one = Matrix::Identity(A.rows(), A.cols());
-  Matrix Z = A;
-  bool close = false;
-  for (int i = 0; i < limit; ++i) {
-    Matrix const inverse = Z.partialPivLu().inverse();
-    T const c = close ? T(1) : T(sqrt(T(sqrt(T(inverse.squaredNorm() / Z.squaredNorm())))));
-    Matrix const next = (c * Z + inverse / c) / T(2);
-    T const change = (next - Z).squaredNorm(), size = next.squaredNorm();
-    Z = next;
-    if (close) return (one + Z) / T(2);
-    close = change <= epsilon<T>() * size;  // half the digits: the next iterate has all
-    if (!(size < std::numeric_limits<T>::infinity())) break;
-  }
-  return Matrix::Constant(A.rows(), A.cols(), std::numeric_limits<T>::quiet_NaN());
-}
-
-}  // namespace detail
 
 /// The discrete Moser–Veselov algorithm in its original form: with D = diag(d), d₁ + d₂ = I₃ (and cyclic), ω ∈ SO(3) solves
 ///     ωᵀD − Dω = h ŷ        ŷ' = ω ŷ ωᵀ    q' = q ⊗ q(ωᵀ)
@@ -50,8 +22,7 @@ Matrix projection_on_positive_eigenvalues(Matrix const& A) {
 /// are well determined: those with Re λ > I₁/2 = (d₂ + d₃)/2, or half of it …, because λ become smaller as the step grows.
 ///
 /// Where there is no solution (the step turns by more than a right angle) the state becomes NaN. The errors are some ε of
-/// the momentum and the attitude themselves, not of their change. Eigen's products and inverses have their own order of
-/// operations.
+/// the momentum and the attitude themselves, not of their change.
 template <Real T>
 requires(lanes<T> == 1) class DmvMatrix {
  public:
@@ -78,8 +49,7 @@ requires(lanes<T> == 1) class DmvMatrix {
  private:
   using Matrix = Eigen::Matrix<T, 3, 3>;
   static constexpr int shifts = 8;
-  /// 6×6, without the loops unrolled.
-  using Matrix6 = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
+  using Matrix6 = Eigen::Matrix<T, 6, 6>;
 
   static Matrix hat(Vector3<T> const& a) {
     Matrix m;
@@ -101,10 +71,10 @@ requires(lanes<T> == 1) class DmvMatrix {
   /// X from the two or three λ with Re λ > shift; of fewer something else.
   static Matrix beyond(T const& shift, Matrix const& D, Matrix const& M) {
     Matrix const shifted = shift * Matrix::Identity();
-    Matrix6 A(6, 6);
+    Matrix6 A;
     A << Matrix(M - shifted), D, D, Matrix(-shifted);
-    Matrix6 const P = detail::projection_on_positive_eigenvalues(A);
-    Matrix U = P.topRightCorner(3, 3), V = P.bottomRightCorner(3, 3);
+    Matrix6 const P = projection_on_positive_eigenvalues(A);
+    Matrix U = P.template topRightCorner<3, 3>(), V = P.template bottomRightCorner<3, 3>();
     if (T(2) * P.trace() < T(5)) {
       U.col(2) = cross<T>(U.col(0), U.col(1));
       V.col(2) = cross<T>(V.col(0), V.col(1));
@@ -115,8 +85,9 @@ requires(lanes<T> == 1) class DmvMatrix {
   /// To half the digits: whether it is one, not how good it is. What is no number is none.
   static bool is_solution(Matrix const& X, Matrix const& D, Matrix const& M) {
     Matrix const defect = X * D - D * X.transpose() - M, length = X.transpose() * X - Matrix::Identity();
-    return defect.squaredNorm() <= epsilon<T>() * D.squaredNorm() && length.squaredNorm() <= epsilon<T>() &&
-           X.determinant() > T(0);
+    T const tolerance = epsilon<T>();
+    return squared_frobenius_norm(defect) <= tolerance * squared_frobenius_norm(D) &&
+           squared_frobenius_norm(length) <= tolerance && X.determinant() > T(0);
   }
 
   /// S. W. Shepperd, J. Guidance Control 1 (1978) 223: from the largest of w², x², y², z², by the quotient of the others'
