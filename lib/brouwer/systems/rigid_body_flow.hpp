@@ -1,21 +1,28 @@
 #pragma once
+#include <optional>
+
 #include <brouwer/special/elliptic.hpp>
 #include <brouwer/special/gauss_legendre.hpp>
 #include <brouwer/systems/attitude_frame.hpp>
+#include <brouwer/systems/elliptic_angle.hpp>
 #include <brouwer/systems/exact_flow.hpp>
 
 namespace brouwer {
+
+/// How the angle Δψ of the attitude is made from y: by Gauss–Legendre quadrature, or in closed form (elliptic_angle.hpp).
+/// Each is the other's oracle.
+enum class AngleBy { quadrature, carlson };
 
 /// The exact flow of a free rigid body from one start, evaluated directly at any time: the reference against which the
 /// error of a state is measured, and the test oracle of every integrator.
 ///
 /// y by Jacobi's functions (three constants), the attitude by q(t) = q(0) ⊗ p(y(0))⁻¹ ⊗ rot(e, Δψ(t)) ⊗ p(y(t)) with Δψ
-/// integrated over one period of the integrand once and over the remainder at each call. The error at time t is a
-/// few ulp of T times the number of periods: take a T wider than what is judged.
+/// integrated over one period of the integrand once and over the remainder at each call, or in closed form. The error at
+/// time t is a few ulp of T times the number of periods: take a T wider than what is judged.
 template <Real T>
 class RigidBodyFlow {
  public:
-  RigidBodyFlow(RigidBody<T> const& body, RigidBodyState<T> const& start)
+  RigidBodyFlow(RigidBody<T> const& body, RigidBodyState<T> const& start, AngleBy by = AngleBy::quadrature)
       : body_(body),
         start_(start),
         constants_(body),
@@ -27,7 +34,8 @@ class RigidBodyFlow {
         rate_(branch_.rate(constants_.c3)) {
     using math::abs;
     if (!resting_) argument_ = functions_.argument(T(side_ * branch_.c_cn * branch_.y_sn), T(side_ * branch_.y_cn));
-    periodic_ = !resting_ && branch_.modulus < T(1);
+    if (by == AngleBy::carlson && !resting_) closed_form_.emplace(body, branch_, functions_, frame_.r);
+    periodic_ = !resting_ && !closed_form_ && branch_.modulus < T(1);
     if (periodic_) {
       period_ = T(2) * complete_elliptic_k(branch_.modulus) / abs(rate_);
       angle_of_period_ = angle(period_);
@@ -52,6 +60,7 @@ class RigidBodyFlow {
  private:
   T total_angle(T const& t) const {
     using std::floor;
+    if (closed_form_) return (*closed_form_)(t, argument_, T(argument_ + rate_ * t));
     if (!periodic_) return angle(t);
     T const periods = floor(T(t / period_));
     return periods * angle_of_period_ + angle(T(t - periods * period_));
@@ -85,6 +94,7 @@ class RigidBodyFlow {
   EllipticBranch<T> branch_;
   AttitudeFrame<T> frame_;
   EllipticFunctions<T> functions_;
+  std::optional<EllipticAngle<T>> closed_form_;
   bool resting_, periodic_ = false;
   T side_;  ///< −1: half a period further on in the argument, where sn and cn have the other sign
   T rate_, argument_{}, period_{}, angle_of_period_{};
