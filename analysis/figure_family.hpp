@@ -51,6 +51,9 @@ FigureSheet count_sheet(Family const& family);
 /// Colours that readers with any kind of colour vision tell apart (Okabe & Ito 2008), up to seven.
 std::string distinct_colour(std::size_t index);
 
+/// From dark violet over blue and green to orange, for 0 … 1: ordered also for those who see no hue.
+std::string ordered_colour(double position);
+
 /// "#rrggbb" mixed with white: 0 leaves it, 1 is white.
 std::string paler(std::string const& colour, double white);
 

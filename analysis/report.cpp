@@ -168,6 +168,9 @@ constexpr Kind kinds[] = {
     {"precision-",
      "Error at the end against work: steps, and CPU time of a member where it was recorded. Points of a line differ in "
      "their step h alone."},
+    {"cloud-still",
+     "The ensemble in phase space at the start, half-way and at the end. A colour follows members from where they "
+     "started."},
     {"count-", "Mean over members, and their standard deviation."},
     {"mean-", "Mean over members. Where its interval leaves zero for good, the members share a drift."},
 };

@@ -23,7 +23,7 @@ ReportContent what_was_asked(StudyFile const& file, Catalogue const& catalogue) 
 }
 
 void add_figures(ReportContent& content, Findings const& findings, std::filesystem::path const& folder) {
-  auto const figures = draw_figures(findings.rows(), findings.final_errors(), folder, "svg", findings.cpu_seconds());
+  auto const figures = draw_all(findings, folder, "svg");
   content.figures = report_figures(figures);
   content.note = figures.note;
 }
