@@ -180,10 +180,7 @@ ReportFigure read_figure(std::filesystem::path const& file) {
   std::ostringstream svg;
   svg << stream.rdbuf();
   if (!stream) throw RunError(fmt::format("cannot read the figure {}", file.string()));
-  std::string const stem = file.stem().string();
-  for (auto const& kind : kinds)
-    if (stem.starts_with(kind.prefix)) return {kind.caption, svg.str()};
-  return {stem, svg.str()};
+  return {figure_caption(file.stem().string()), svg.str()};
 }
 
 }  // namespace
@@ -198,6 +195,12 @@ std::string render_report(ReportContent const& content) {
          section("What was run",
                  run(content) + folded("Study file", content.study_text) + folded("Provenance", content.provenance)) +
          "</body>\n</html>\n";
+}
+
+std::string figure_caption(std::string const& stem) {
+  for (auto const& kind : kinds)
+    if (stem.starts_with(kind.prefix)) return kind.caption;
+  return stem;
 }
 
 std::vector<ReportFigure> report_figures(Figures const& figures) {
