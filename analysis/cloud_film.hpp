@@ -16,7 +16,7 @@ struct CloudFilm {
     std::size_t points = 0;
   };
   std::string x, y, subtitle;
-  Interval x_range, y_range;  ///< that the picture shows: at most three times as wide as high, or the reverse
+  Interval x_range, y_range;  ///< that the picture shows: no side is shorter than 3/4 of the other
   std::vector<Cell> cells;
   std::vector<std::size_t> moments;  ///< of the frames: sample of the cell with most samples
   std::string data;                  ///< a block a frame and cell, frames outside: x  y  0xrrggbb

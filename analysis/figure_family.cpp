@@ -139,6 +139,13 @@ std::string paler(std::string const& colour, double white) {
   return fmt::format("#{:02x}{:02x}{:02x}", mixed(1), mixed(3), mixed(5));
 }
 
+double tic_distance(double length) {
+  double const rough = length / 4, power = std::pow(10.0, std::floor(std::log10(rough)));
+  for (double const nice : {1.0, 2.0, 5.0})
+    if (rough <= nice * power) return nice * power;
+  return 10 * power;
+}
+
 std::string plot_number(double x) { return std::isfinite(x) ? fmt::format("{:.9g}", x) : "NaN"; }
 
 std::string plot_range(double low, double high) {

@@ -57,6 +57,9 @@ std::string ordered_colour(double position);
 /// "#rrggbb" mixed with white: 0 leaves it, 1 is white.
 std::string paler(std::string const& colour, double white);
 
+/// 1, 2 or 5 times a power of ten, so that an axis of this length has three to five tics.
+double tic_distance(double length);
+
 /// "NaN" as gnuplot reads it, otherwise nine digits.
 std::string plot_number(double x);
 

@@ -36,9 +36,6 @@ int columns_for(std::size_t panels) {
   return static_cast<int>(panels < std::size(widest) ? widest[panels] : 5);
 }
 
-/// The width of words in the 11 pixels of legends and panel titles.
-int pixels_of(std::string const& text) { return static_cast<int>(6.6 * static_cast<double>(display_width(text))); }
-
 int legend_height(FigureSheet const& sheet) { return 18 * static_cast<int>(sheet.legend.size()); }
 
 Geometry geometry_of(FigureSheet const& sheet, FigureFormat format) {
@@ -50,10 +47,10 @@ Geometry geometry_of(FigureSheet const& sheet, FigureFormat format) {
   g.panel_width = count == 1 ? 520 : count <= 4 ? 340 : 230;
   g.panel_height = count == 1 ? 360 : count <= 4 ? 250 : 160;
   for (auto const& panel : sheet.panels) {
-    g.panel_width = std::max(g.panel_width, std::min(pixels_of(panel.title), 420));
+    g.panel_width = std::max(g.panel_width, std::min(pixels_of(panel.title, 11), 420));
     g.panel_title = std::max(g.panel_title, !panel.subtitle.empty() ? 40 : !panel.title.empty() ? 26 : 12);
   }
-  for (auto const& entry : sheet.legend) g.legend_width = std::max(g.legend_width, 64 + pixels_of(entry.text));
+  for (auto const& entry : sheet.legend) g.legend_width = std::max(g.legend_width, 64 + pixels_of(entry.text, 11));
   g.panel_height = std::max(g.panel_height, legend_height(sheet) / g.rows);
   return g;
 }
@@ -142,6 +139,10 @@ std::string gnuplot_terminal(FigureFormat format, int width, int height, std::st
                          width / 96.0, height / 96.0);
   }
   return {};
+}
+
+int pixels_of(std::string const& text, int font) {
+  return static_cast<int>(0.6 * font * static_cast<double>(display_width(text)));
 }
 
 double font_unit(FigureFormat format) { return format == FigureFormat::svg ? 1 : 0.75; }

@@ -40,6 +40,9 @@ std::string gnuplot_terminal(FigureFormat format, int width, int height, std::st
 /// What the terminal calls one pixel of a font's size: cairo counts in points, svg in pixels.
 double font_unit(FigureFormat format);
 
+/// About how many pixels words take in a font of so many pixels.
+int pixels_of(std::string const& text, int font);
+
 std::string extension(FigureFormat format);
 
 /// "svg", "png" or "pdf". @throws InputError for another, with the nearest
