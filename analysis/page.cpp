@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <functional>
 #include <set>
 #include <sstream>
 
 #include "analysis/escape.hpp"
 #include "analysis/factors.hpp"
-#include "analysis/figure_family.hpp"
 #include "analysis/growth_table.hpp"
 #include "analysis/numbers.hpp"
 
@@ -18,11 +19,21 @@ namespace {
 
 using Words = std::vector<std::string>;
 
+constexpr std::size_t most_lines = 30;  ///< longer tables are folded
+
 // --- Markdown -------------------------------------------------------------------------------------
 
 std::string row(Words const& cells) { return fmt::format("| {} |\n", fmt::join(cells, " | ")); }
 
-std::string paragraph(std::string const& text) { return text.empty() ? "" : text + "\n\n"; }
+std::string paragraph(std::string const& text) {
+  auto const end = text.find_last_not_of('\n');
+  return end == std::string::npos ? "" : text.substr(0, end + 1) + "\n\n";
+}
+
+/// What is long is folded away; renderers without folds show it.
+std::string folded(std::string const& summary, std::string const& inside) {
+  return "<details><summary>" + summary + "</summary>\n\n" + paragraph(inside) + "</details>\n\n";
+}
 
 std::string heading_of(PageSection const& section) {
   return markdown_text(section.question.empty() ? section.name : section.question);
@@ -109,36 +120,60 @@ std::vector<CellLabels> cells_of(std::vector<Estimates> const& rows) {
   return cells;
 }
 
-std::string measurements(std::vector<Estimates> const& rows) {
-  if (rows.empty()) return "";
-  auto const growth = growth_table(rows, CellsAs::groups);
+std::string measured_table(std::vector<Estimates> const& rows) {
   auto const varying = varying_factors(cells_of(rows));
-  auto text = paragraph(markdown_text(growth.shared)) + row({"error of", "cell", "RMS at the end", "", "verdict"}) +
+  auto text = row({"error of", "cell", "RMS at the end", "what the verdict rests on", "verdict"}) +
               "|:---|:---|---:|:---|:---|\n";
   for (auto const& e : rows)
     text += row({markdown_text(e.quantity), markdown_text(short_label(e.cell, varying)), number(e.rms_final, 2),
                  markdown_text(carrying_value(e)), to_string(e.verdict)});
-  for (auto const& note : growth.notes) text += "\n- " + markdown_text(note);
-  return paragraph(text);
+  return text;
+}
+
+std::string measurements(std::vector<Estimates> const& rows) {
+  if (rows.empty()) return "";
+  auto const growth = growth_table(rows, CellsAs::groups);
+  auto const table = measured_table(rows);
+  std::string notes;
+  for (auto const& note : growth.notes) notes += "- " + markdown_text(note) + "\n";
+  return paragraph(markdown_text(growth.shared)) +
+         (rows.size() > most_lines ? folded(fmt::format("{} measurements", rows.size()), table) : paragraph(table)) +
+         paragraph(notes);
 }
 
 // --- expectations and figures ---------------------------------------------------------------------
 
-std::string expectations(PageSection const& section) {
+template <class Chosen>
+std::string outcome_table(std::vector<Outcome> const& outcomes, Chosen chosen) {
   std::string text;
-  if (!section.outcomes.empty()) text = row({"expected", "found", ""}) + "|:---|:---|:---|\n";
-  for (auto const& outcome : section.outcomes)
-    text += row(
-        {markdown_text(outcome.claim), markdown_text(outcome.found), outcome.passed ? "passed" : "**CONTRADICTED**"});
-  for (auto const& sentence : section.unjudged) text += "\n- Not judged: " + markdown_text(sentence);
-  return paragraph(text);
+  for (auto const& outcome : outcomes)
+    if (chosen(outcome))
+      text += row(
+          {markdown_text(outcome.claim), markdown_text(outcome.found), outcome.passed ? "passed" : "**CONTRADICTED**"});
+  return text.empty() ? "" : row({"expected", "found", "outcome"}) + "|:---|:---|:---|\n" + text;
+}
+
+/// Of many expectations those that are contradicted stand before the fold.
+std::string outcomes(std::vector<Outcome> const& all) {
+  auto const passed = [](Outcome const& outcome) { return outcome.passed; };
+  if (all.size() <= most_lines) return paragraph(outcome_table(all, [](Outcome const&) { return true; }));
+  auto const good = outcome_table(all, passed);
+  return paragraph(outcome_table(all, std::not_fn(passed))) +
+         (good.empty() ? "" : folded(fmt::format("{} expectations passed", held(all)), good));
+}
+
+std::string expectations(PageSection const& section) {
+  std::string unjudged;
+  for (auto const& sentence : section.unjudged) unjudged += "- Not judged: " + markdown_text(sentence) + "\n";
+  return outcomes(section.outcomes) + paragraph(unjudged);
 }
 
 std::string figures(PageSection const& section) {
   std::string text;
   for (auto const& figure : section.figures) {
-    auto const caption = markdown_text(figure.caption);
-    text += paragraph(fmt::format("![{}]({})", caption, figure.link)) + paragraph("*" + caption + "*");
+    auto const name = std::filesystem::path(figure.link).stem().string();
+    text += paragraph(fmt::format("![{}]({})", markdown_text(name), figure.link)) +
+            paragraph("*" + markdown_text(figure.caption) + "*");
   }
   return text + paragraph(markdown_text(section.note));
 }
@@ -161,22 +196,6 @@ std::string levels_in_words(std::vector<PageSection> const& sections) {
   return "";
 }
 
-// --- which figures --------------------------------------------------------------------------------
-
-std::set<std::string> stems_of(std::vector<Estimates> const& estimates, Words const& quantities) {
-  std::set<std::string> stems;
-  for (auto const& family : families(estimates, {})) {
-    bool const asked = std::any_of(quantities.begin(), quantities.end(), [&](std::string const& name) {
-      auto const& parts = family.components;
-      return name == family.name || std::find(parts.begin(), parts.end(), name) != parts.end();
-    });
-    if (quantities.empty() || asked)
-      for (auto const* kind : {"growth-", "precision-", "count-"}) stems.insert(kind + family.stem);
-  }
-  stems.insert("cloud-still");
-  return stems;
-}
-
 /// The value of `key = value` in one block.
 std::string value_of(std::string const& block, std::string const& key) {
   std::istringstream lines(block);
@@ -194,15 +213,6 @@ std::string render_page(std::vector<PageSection> const& sections, std::vector<st
   if (!programs.empty())
     text += fmt::format("---\n\nComputed with {}.\n", markdown_text(fmt::format("{}", fmt::join(programs, "; "))));
   return text.substr(0, text.find_last_not_of('\n') + 1) + "\n";
-}
-
-std::vector<std::filesystem::path> main_figures(Figures const& figures, std::vector<Estimates> const& estimates,
-                                                Words const& quantities) {
-  auto const stems = stems_of(estimates, quantities);
-  std::vector<std::filesystem::path> chosen;
-  for (auto const& file : figures.files)
-    if (stems.contains(file.stem().string())) chosen.push_back(file);
-  return chosen;
 }
 
 std::vector<std::string> programs_of(std::string const& provenance) {

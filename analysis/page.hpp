@@ -1,11 +1,9 @@
 #pragma once
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "analysis/estimates.hpp"
 #include "analysis/expectation.hpp"
-#include "analysis/plots.hpp"
 
 namespace brouwer {
 
@@ -30,12 +28,6 @@ struct PageSection {
 /// each. Equal results give the same page: no dates, no paths, no machine.
 /// @param programs  with what it was computed: "brouwer 0.1.0, g++ 12.2.0"; said once at the end
 std::string render_page(std::vector<PageSection> const& sections, std::vector<std::string> const& programs);
-
-/// Of all figures those that carry the answer: growth, work and precision, and counts of the families of these
-/// quantities (of all where there are none), and the still clouds.
-/// @param quantities  families or components
-std::vector<std::filesystem::path> main_figures(Figures const& figures, std::vector<Estimates> const& estimates,
-                                                std::vector<std::string> const& quantities);
 
 /// "brouwer 0.1.0, g++ 12.2.0": of each block of a provenance.txt, the different ones once, in their order.
 std::vector<std::string> programs_of(std::string const& provenance);

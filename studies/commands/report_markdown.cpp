@@ -7,6 +7,7 @@
 #include <set>
 
 #include "analysis/escape.hpp"
+#include "analysis/main_figures.hpp"
 #include "analysis/page.hpp"
 #include "analysis/report.hpp"
 #include "studies/commands/findings.hpp"

@@ -50,7 +50,7 @@ TEST(Count, SaysWhichMembersItLeavesOut) {
   ensemble.failed = 1;
   ensemble.failures = {{"the iteration did not converge", 1, 7}};
   EXPECT_THAT(estimate(ensemble, {}).sentence,
-              testing::EndsWith("; 1 of 4 members is left out: 1 because the iteration did not converge (at step 7)."));
+              testing::EndsWith("; 1 of 4 members is left out because the iteration did not converge (at step 7)."));
 }
 
 TEST(Count, OfMembersThatAllFailedIsNotResolved) {

@@ -5,6 +5,7 @@
 
 #include <sstream>
 
+#include "analysis/main_figures.hpp"
 #include "tests/analysis/presented_estimates.hpp"
 
 namespace brouwer {
@@ -56,7 +57,8 @@ TEST(Page, HasASectionAStudy) {
   auto const text = page();
   for (auto const* part :
        {"<a id=\"elliptic-drift\"></a>\n\n## Do three constants remove the drift?\n\nSource: G. Vilmart",
-        "## iterations\n", "![Growth of the RMS.](page-figures/elliptic-drift-growth-energy.svg)",
+        "## iterations\n",
+        "![elliptic-drift-growth-energy](page-figures/elliptic-drift-growth-energy.svg)\n\n*Growth of the RMS.*",
         "| energy: no drift | t = 0.2 | passed |", "| casimir: no drift | t = −90 | **CONTRADICTED** |",
         "- Not judged: 'where' matches nothing", "gnuplot is not installed"})
     EXPECT_THAT(text, HasSubstr(part));
@@ -75,9 +77,8 @@ TEST(Page, SaysWhyMembersWereLeftOut) {
   auto section = drift_study();
   section.estimates[0].failed = 1;
   section.estimates[0].failures = {{"collision", 1, 17}};
-  EXPECT_THAT(
-      render_page({section}, {}),
-      HasSubstr("- elliptic-naive, energy: 1 of 65 members is left out: 1 because of a collision (at step 17)."));
+  EXPECT_THAT(render_page({section}, {}),
+              HasSubstr("- elliptic-naive, energy: 1 of 65 members is left out because of a collision (at step 17)."));
 }
 
 TEST(Page, EndsWithThePrograms) {
@@ -104,6 +105,23 @@ TEST(Page, HasEqualCellsInEveryRowOfATableWhateverNamesSay) {
   }
 }
 
+TEST(Page, FoldsLongTablesButNotWhatIsContradicted) {
+  auto section = drift_study();
+  for (int i = 0; i < 40; ++i) {
+    section.estimates.push_back(section.estimates[0]);
+    section.outcomes.push_back({i != 20, "claim " + std::to_string(i), "found"});
+  }
+  auto const text = render_page({section}, {});
+  EXPECT_THAT(text, HasSubstr("<details><summary>42 measurements</summary>\n\n| error of |"));
+  auto const fold = text.find("<details><summary>40 expectations passed</summary>\n\n| expected |");
+  ASSERT_NE(fold, std::string::npos);
+  EXPECT_LT(text.find("| claim 20 | found | **CONTRADICTED** |"), fold);
+  EXPECT_GT(text.find("| claim 21 | found | passed |"), fold);
+  EXPECT_THAT(page(), Not(HasSubstr("<details>")));
+}
+
+TEST(Page, HasNoEmptyParagraphs) { EXPECT_THAT(page(), Not(HasSubstr("\n\n\n"))); }
+
 TEST(Page, TellsStudiesOfOneNameApart) {
   auto const text = render_page({drift_study(), drift_study()}, {});
   EXPECT_THAT(text, AllOf(HasSubstr("<a id=\"elliptic-drift\">"), HasSubstr("<a id=\"elliptic-drift-2\">"),
@@ -126,6 +144,19 @@ TEST(MainFigures, AreThoseOfWhatWasAsked) {
   EXPECT_THAT(main_figures(figures, rows, {"spatial-momentum-1"}),
               ElementsAre("f/growth-spatial-momentum.svg", "f/cloud-still.svg"));
   EXPECT_EQ(main_figures(figures, rows, {}).size(), 4u);
+}
+
+TEST(MainFigures, OfACrowdOverManyStepsAreItsWorkAndPrecision) {
+  std::vector<Estimates> rows;
+  for (int i = 1; i <= 9; ++i) {
+    rows.push_back(presented_estimates("a", "energy", 0));
+    rows.back().cell.step = 0.01 * i;
+    rows.back().cell.steps = 252'000 / i;
+  }
+  Figures const figures{{"growth-energy.svg", "precision-energy.svg"}, ""};
+  EXPECT_THAT(main_figures(figures, rows, {}), ElementsAre("precision-energy.svg"));
+  rows.pop_back();
+  EXPECT_EQ(main_figures(figures, rows, {}).size(), 2u);
 }
 
 TEST(Programs, AreNamedOnceWithoutTheMachine) {
