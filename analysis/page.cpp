@@ -13,6 +13,7 @@
 #include "analysis/factors.hpp"
 #include "analysis/growth_table.hpp"
 #include "analysis/numbers.hpp"
+#include "analysis/verdict.hpp"
 
 namespace brouwer {
 namespace {
@@ -96,7 +97,7 @@ std::string carrying_value(Estimates const& e) {
   switch (e.verdict) {
     case Verdict::count:
       return fmt::format("{} ({} … {}) {}", number(e.count->mean, 3), number(e.count->range.low, 3),
-                         number(e.count->range.high, 3), e.unit);
+                         number(e.count->range.high, 3), counted_things(e));
     case Verdict::drift:
       return with_unit("drift β", measured(e.drift.per_step, e.drift.interval), "per " + e.time_unit);
     case Verdict::persistent_slopes:

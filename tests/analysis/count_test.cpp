@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/inference.hpp"
+#include "analysis/verdict.hpp"
 
 namespace brouwer {
 namespace {
@@ -29,6 +30,16 @@ TEST(Count, HasAMeanAndARangeOverMembersAndSamples) {
   EXPECT_EQ(e.count->range.high, 14);
   EXPECT_EQ(e.mean.back(), 13);
   EXPECT_EQ(e.sentence, "Count: 12.5 iterations per step in the mean (11.0 … 14.0 over members and samples).");
+}
+
+TEST(Count, SaysWhatItIsOfWhateverItsUnitLeavesOut) {
+  auto e = estimate(iterations(), {});
+  for (auto const* unit : {"per step", "iterations per step"}) {
+    e.unit = unit;
+    EXPECT_EQ(counted_things(e), "iterations per step");
+  }
+  e.unit = "";
+  EXPECT_EQ(counted_things(e), "iterations");
 }
 
 TEST(Count, HasNoLawOfGrowth) {
