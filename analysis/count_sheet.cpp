@@ -6,6 +6,7 @@
 
 #include "analysis/escape.hpp"
 #include "analysis/figure_family.hpp"
+#include "analysis/verdict.hpp"
 
 namespace brouwer {
 namespace {
@@ -62,10 +63,10 @@ Panel panel_of(Family const& family, std::size_t component, std::string const& f
 FigureSheet count_sheet(Family const& family) {
   FigureSheet sheet;
   sheet.stem = "count-" + family.stem;
-  sheet.title = fmt::format("How many {}?", family.unit.empty() ? family.name : family.unit);
+  sheet.title = fmt::format("How many {}?", counted_things(*family.rows.front().estimates));
   sheet.subtitle = family.shared;
   sheet.x_label = family.time_label();
-  sheet.y_label = family.unit.empty() ? family.name : family.unit;
+  sheet.y_label = counted_things(*family.rows.front().estimates);
   for (std::size_t c = 0; c < family.components.size(); ++c)
     sheet.panels.push_back(panel_of(family, c, gnuplot_string(sheet.data_file())));
   for (std::size_t i = 0; i < family.cells.size(); ++i)

@@ -32,12 +32,18 @@ std::string reasons(Estimates const& e) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
+std::string and_why(Estimates const& e) {
+  auto const all = reasons(e);
+  if (all.empty()) return "";
+  auto const& first = e.failures.front();
+  return e.failures.size() > 1 ? ": " + all : " " + because(first.reason) + when(first);
+}
+
 std::string left_out(Estimates const& e, std::string const& unrecorded) {
   if (e.failed == 0) return "";
-  auto const why = reasons(e);
-  bool const one = e.failed == 1 && !why.empty();
+  auto const why = and_why(e);
   return fmt::format("{} of {} members{}", e.failed, e.members + e.failed,
-                     why.empty() ? unrecorded : (one ? " is left out: " : " are left out: ") + why);
+                     why.empty() ? unrecorded : (e.failed == 1 ? " is left out" : " are left out") + why);
 }
 
 }  // namespace brouwer

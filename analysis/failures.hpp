@@ -9,8 +9,12 @@ namespace brouwer {
 /// no reason is recorded.
 std::string reasons(Estimates const& e);
 
-/// "3 of 64 members are left out: " and the reasons; where none is recorded, "3 of 64 members" and what `unrecorded`
-/// says of them; "" where every member came through.
+/// ": " and the reasons; of a single one without its number, " because the iteration did not converge (the first at step
+/// 1200)"; "" where no reason is recorded.
+std::string and_why(Estimates const& e);
+
+/// "3 of 64 members are left out" and why; where no reason is recorded, "3 of 64 members" and what `unrecorded` says of
+/// them; "" where every member came through.
 std::string left_out(Estimates const& e, std::string const& unrecorded = " failed and are left out");
 
 }  // namespace brouwer

@@ -27,16 +27,6 @@ std::size_t index_of(std::vector<T>& list, T const& item) {
   return list.size() - 1;
 }
 
-/// From dark violet over blue and green to orange: ordered also for those who see no hue.
-std::string ordered_colour(double position) {
-  constexpr double anchors[][3] = {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 170, 60}, {222, 150, 20}};
-  double const at = 4 * std::clamp(position, 0.0, 1.0);
-  auto const i = std::min<std::size_t>(static_cast<std::size_t>(at), 3);
-  double const f = at - static_cast<double>(i);
-  auto const mixed = [&](int c) { return static_cast<int>((1 - f) * anchors[i][c] + f * anchors[i + 1][c]); };
-  return fmt::format("#{:02x}{:02x}{:02x}", mixed(0), mixed(1), mixed(2));
-}
-
 /// The factor that colours stand for where there are more cells than colours: the one with most levels among those
 /// with at most seven.
 Factor const* coloured_factor(std::vector<CellLabels> const& cells) {
@@ -132,12 +122,28 @@ std::vector<Family> families(std::vector<Estimates> const& rows, std::vector<std
 
 std::string distinct_colour(std::size_t index) { return okabe_ito[index % okabe_ito.size()]; }
 
+std::string ordered_colour(double position) {
+  constexpr double anchors[][3] = {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 170, 60}, {222, 150, 20}};
+  double const at = 4 * std::clamp(position, 0.0, 1.0);
+  auto const i = std::min<std::size_t>(static_cast<std::size_t>(at), 3);
+  double const f = at - static_cast<double>(i);
+  auto const mixed = [&](int c) { return static_cast<int>((1 - f) * anchors[i][c] + f * anchors[i + 1][c]); };
+  return fmt::format("#{:02x}{:02x}{:02x}", mixed(0), mixed(1), mixed(2));
+}
+
 std::string paler(std::string const& colour, double white) {
   auto const mixed = [&](std::size_t at) {
     auto const value = static_cast<double>(std::strtol(colour.substr(at, 2).c_str(), nullptr, 16));
     return static_cast<int>(std::lround(value + white * (255 - value)));
   };
   return fmt::format("#{:02x}{:02x}{:02x}", mixed(1), mixed(3), mixed(5));
+}
+
+double tic_distance(double length) {
+  double const rough = length / 4, power = std::pow(10.0, std::floor(std::log10(rough)));
+  for (double const nice : {1.0, 2.0, 5.0})
+    if (rough <= nice * power) return nice * power;
+  return 10 * power;
 }
 
 std::string plot_number(double x) { return std::isfinite(x) ? fmt::format("{:.9g}", x) : "NaN"; }

@@ -51,8 +51,14 @@ FigureSheet count_sheet(Family const& family);
 /// Colours that readers with any kind of colour vision tell apart (Okabe & Ito 2008), up to seven.
 std::string distinct_colour(std::size_t index);
 
+/// From dark violet over blue and green to orange, for 0 … 1: ordered also for those who see no hue.
+std::string ordered_colour(double position);
+
 /// "#rrggbb" mixed with white: 0 leaves it, 1 is white.
 std::string paler(std::string const& colour, double white);
+
+/// 1, 2 or 5 times a power of ten, so that an axis of this length has three to five tics.
+double tic_distance(double length);
 
 /// "NaN" as gnuplot reads it, otherwise nine digits.
 std::string plot_number(double x);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <brouwer/error.hpp>
+#include <brouwer/spelling.hpp>
 
 #include "analysis/escape.hpp"
 #include "analysis/numbers.hpp"
@@ -34,45 +36,23 @@ int columns_for(std::size_t panels) {
   return static_cast<int>(panels < std::size(widest) ? widest[panels] : 5);
 }
 
-/// The width of words in the 11 pixels of legends and panel titles.
-int pixels_of(std::string const& text) { return static_cast<int>(6.6 * static_cast<double>(display_width(text))); }
-
 int legend_height(FigureSheet const& sheet) { return 18 * static_cast<int>(sheet.legend.size()); }
 
 Geometry geometry_of(FigureSheet const& sheet, FigureFormat format) {
   int const count = static_cast<int>(sheet.panels.size()), columns = columns_for(sheet.panels.size());
   Geometry g{};
-  g.font_unit = format == FigureFormat::svg ? 1 : 0.75;  // cairo counts in points, svg in pixels
+  g.font_unit = font_unit(format);
   g.columns = columns;
   g.rows = (count + columns - 1) / columns;
   g.panel_width = count == 1 ? 520 : count <= 4 ? 340 : 230;
   g.panel_height = count == 1 ? 360 : count <= 4 ? 250 : 160;
   for (auto const& panel : sheet.panels) {
-    g.panel_width = std::max(g.panel_width, std::min(pixels_of(panel.title), 420));
+    g.panel_width = std::max(g.panel_width, std::min(pixels_of(panel.title, 11), 420));
     g.panel_title = std::max(g.panel_title, !panel.subtitle.empty() ? 40 : !panel.title.empty() ? 26 : 12);
   }
-  for (auto const& entry : sheet.legend) g.legend_width = std::max(g.legend_width, 64 + pixels_of(entry.text));
+  for (auto const& entry : sheet.legend) g.legend_width = std::max(g.legend_width, 64 + pixels_of(entry.text, 11));
   g.panel_height = std::max(g.panel_height, legend_height(sheet) / g.rows);
   return g;
-}
-
-/// A screen that is twice as fine for PNG, a sheet of 96 pixels an inch for PDF.
-std::string terminal(FigureFormat format, Geometry const& g, std::string const& stem) {
-  std::string id = "figure_" + stem;
-  std::replace_if(
-      id.begin(), id.end(), [](char c) { return c == '-' || c == '.'; }, '_');
-  switch (format) {
-    case FigureFormat::svg:
-      return fmt::format("svg size {},{} dynamic font 'sans-serif,12' background '#ffffff' name '{}'", g.width(),
-                         g.height(), id);
-    case FigureFormat::png:
-      return fmt::format("pngcairo size {},{} font 'sans-serif,9' fontscale 2 linewidth 2 pointscale 2", 2 * g.width(),
-                         2 * g.height());
-    case FigureFormat::pdf:
-      return fmt::format("pdfcairo size {:.3f}in,{:.3f}in font 'sans-serif,9' linewidth 1 background '#ffffff'",
-                         g.width() / 96.0, g.height() / 96.0);
-  }
-  return {};
 }
 
 std::string label(std::string const& text, std::string const& x, std::string const& y, std::string const& how) {
@@ -131,7 +111,8 @@ std::string legend_script(FigureSheet const& sheet, Geometry const& g) {
 std::string gnuplot_script(FigureSheet const& sheet, FigureFormat format) {
   auto const g = geometry_of(sheet, format);
   std::string text = fmt::format("# gnuplot {0}.gp  draws {0}.{1} from {0}.dat\n", sheet.stem, extension(format));
-  text += fmt::format("reset\nset encoding utf8\nset terminal {}\nset output {}\n", terminal(format, g, sheet.stem),
+  text += fmt::format("reset\nset encoding utf8\nset terminal {}\nset output {}\n",
+                      gnuplot_terminal(format, g.width(), g.height(), sheet.stem),
                       gnuplot_string(sheet.stem + "." + extension(format)));
   text += "set border 3 lc rgb '#444444'; set tics nomirror out scale 0.5 " + g.font(10) +
           "; set grid lc rgb '#e4e4e4' lt 1\n" +
@@ -140,6 +121,39 @@ std::string gnuplot_script(FigureSheet const& sheet, FigureFormat format) {
   for (std::size_t i = 0; i < sheet.panels.size(); ++i)
     text += '\n' + panel_script(sheet.panels[i], g, static_cast<int>(i));
   return text + legend_script(sheet, g) + "unset multiplot\nunset output\n";
+}
+
+std::string gnuplot_terminal(FigureFormat format, int width, int height, std::string const& stem) {
+  std::string id = "figure_" + stem;
+  std::replace_if(
+      id.begin(), id.end(), [](char c) { return c == '-' || c == '.'; }, '_');
+  switch (format) {
+    case FigureFormat::svg:
+      return fmt::format("svg size {},{} dynamic font 'sans-serif,12' background '#ffffff' name '{}'", width, height,
+                         id);
+    case FigureFormat::png:
+      return fmt::format("pngcairo size {},{} font 'sans-serif,9' fontscale 2 linewidth 2 pointscale 2", 2 * width,
+                         2 * height);
+    case FigureFormat::pdf:
+      return fmt::format("pdfcairo size {:.3f}in,{:.3f}in font 'sans-serif,9' linewidth 1 background '#ffffff'",
+                         width / 96.0, height / 96.0);
+  }
+  return {};
+}
+
+int pixels_of(std::string const& text, int font) {
+  return static_cast<int>(0.6 * font * static_cast<double>(display_width(text)));
+}
+
+double font_unit(FigureFormat format) { return format == FigureFormat::svg ? 1 : 0.75; }
+
+FigureFormat figure_format(std::string const& name) {
+  std::vector<std::string> names;
+  for (auto const format : {FigureFormat::svg, FigureFormat::png, FigureFormat::pdf}) {
+    if (name == extension(format)) return format;
+    names.push_back(extension(format));
+  }
+  throw InputError(fmt::format("there is no figure format '{}'{}", one_line(name), suggestion(name, names)));
 }
 
 std::string extension(FigureFormat format) {

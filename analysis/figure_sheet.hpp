@@ -34,6 +34,18 @@ struct FigureSheet {
 /// The gnuplot script of a sheet: runs as it stands in the folder of its data file and writes STEM.FORMAT there.
 std::string gnuplot_script(FigureSheet const& sheet, FigureFormat format);
 
+/// A terminal of so many pixels: for PNG a screen that is twice as fine, for PDF a sheet of 96 pixels an inch.
+std::string gnuplot_terminal(FigureFormat format, int width, int height, std::string const& stem);
+
+/// What the terminal calls one pixel of a font's size: cairo counts in points, svg in pixels.
+double font_unit(FigureFormat format);
+
+/// About how many pixels words take in a font of so many pixels.
+int pixels_of(std::string const& text, int font);
+
 std::string extension(FigureFormat format);
+
+/// "svg", "png" or "pdf". @throws InputError for another, with the nearest
+FigureFormat figure_format(std::string const& name);
 
 }  // namespace brouwer

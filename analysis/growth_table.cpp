@@ -108,12 +108,26 @@ std::vector<std::string> legend(Rows const& rows, Notation notation) {
   };
 }
 
+std::string failure(Estimates const& row) { return left_out(row, " were left out, their error is not finite"); }
+
+/// "energy", or "every error" where all that a cell observed lack the same members for the same reasons.
+std::string of_what(Rows const& rows, Estimates const& row) {
+  std::size_t observed = 0, alike = 0;
+  for (auto const& other : rows)
+    if (other.cell == row.cell) {
+      ++observed;
+      alike += failure(other) == failure(row);
+    }
+  return observed > 1 && alike == observed ? "every error" : row.quantity;
+}
+
 std::vector<std::string> failures(Rows const& rows, Factors const& factors) {
   std::vector<std::string> notes;
-  for (auto const& row : rows)
-    if (row.failed > 0)
-      notes.push_back(fmt::format("{}, {}: {}.", short_label(row.cell, factors), row.quantity,
-                                  left_out(row, " were left out, their error is not finite")));
+  for (auto const& row : rows) {
+    if (row.failed == 0) continue;
+    auto const note = fmt::format("{}, {}: {}.", short_label(row.cell, factors), of_what(rows, row), failure(row));
+    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+  }
   return notes;
 }
 

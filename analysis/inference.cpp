@@ -154,9 +154,9 @@ Estimates all_failed(Ensemble const& ensemble, Levels const& levels) {
   e.rms = e.mean = e.mean_error = std::vector<double>(e.times.size(), undefined);
   e.rms_final = undefined;
   if (ensemble.count) e.count = {undefined, {undefined, undefined}};
-  auto const why = reasons(e);
+  auto const why = and_why(e);
   e.sentence = fmt::format("Not resolved: all {} members failed{}; is the step too large for this method?", e.failed,
-                           why.empty() ? " (an error that is not a finite number)" : ": " + why);
+                           why.empty() ? " (an error that is not a finite number)" : why);
   return e;
 }
 

@@ -55,14 +55,6 @@ double last_time(Family const& family) {
   return last;
 }
 
-/// 1, 2 or 5 times a power of ten, so that three to five tics reach `last`.
-double tic_distance(double last) {
-  double const rough = last / 4, power = std::pow(10.0, std::floor(std::log10(rough)));
-  for (double const nice : {1.0, 2.0, 5.0})
-    if (rough <= nice * power) return nice * power;
-  return 10 * power;
-}
-
 std::string superscript(int n) {
   static constexpr char const* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string text = n < 0 ? "⁻" : "";

@@ -6,30 +6,13 @@
 #include <limits>
 
 #include <brouwer/error.hpp>
-#include <brouwer/spelling.hpp>
 #include <brouwer/store/whole_file.hpp>
 
-#include "analysis/escape.hpp"
 #include "analysis/figure_family.hpp"
 #include "analysis/gnuplot.hpp"
 
 namespace brouwer {
 namespace {
-
-FigureFormat figure_format(std::string const& name) {
-  std::vector<std::string> names;
-  for (auto const format : {FigureFormat::svg, FigureFormat::png, FigureFormat::pdf}) {
-    if (name == extension(format)) return format;
-    names.push_back(extension(format));
-  }
-  throw InputError(fmt::format("there is no figure format '{}'{}", one_line(name), suggestion(name, names)));
-}
-
-void make_folder(std::filesystem::path const& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw RunError(fmt::format("cannot make the folder {} for figures: {}", folder.string(), error.message()));
-}
 
 void write_file(std::filesystem::path const& file, std::string const& content) { write_whole(file, content); }
 
@@ -53,11 +36,17 @@ void draw(FigureSheet const& sheet, FigureFormat format, std::filesystem::path c
 
 }  // namespace
 
+void make_figure_folder(std::filesystem::path const& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw RunError(fmt::format("cannot make the folder {} for figures: {}", folder.string(), error.message()));
+}
+
 Figures draw_figures(std::vector<Estimates> const& estimates, std::vector<std::vector<double>> const& final_errors,
                      std::filesystem::path const& folder, std::string const& format,
                      std::vector<double> const& cpu_seconds) {
   auto const chosen = figure_format(format);
-  make_folder(folder);
+  make_figure_folder(folder);
   auto rows = estimates;  // where every member failed there is nothing to draw
   auto last = final_errors;
   auto seconds = cpu_seconds;

@@ -26,4 +26,7 @@ Figures draw_figures(std::vector<Estimates> const& estimates, std::vector<std::v
                      std::filesystem::path const& folder, std::string const& format,
                      std::vector<double> const& cpu_seconds = {});
 
+/// @throws RunError where it cannot be made
+void make_figure_folder(std::filesystem::path const& folder);
+
 }  // namespace brouwer

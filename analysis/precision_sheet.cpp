@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "analysis/escape.hpp"
 #include "analysis/factors.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 constexpr int point_types[] = {7, 5, 9, 11, 13, 6, 4, 8};
 constexpr int dashes[] = {1, 2, 4, 3, 5};
-constexpr double palest = 0.55;  ///< how much white is in the colour of a series' first method
+constexpr double palest = 0.45;  ///< how much white is in the colour of a series' first method
 
 using Words = std::vector<std::string>;
 
@@ -34,6 +35,28 @@ std::vector<CellLabels> cells_of(WorkPrecision const& work) {
 }
 
 bool is_method(Factor const* factor) { return std::string(factor->name) == "method"; }
+
+/// Factors other than the method of which one method has several levels. That methods differ in an option which only
+/// some of them have tells nothing apart.
+Factors varying_within_methods(std::vector<CellLabels> const& cells) {
+  auto factors = varying_factors(cells);
+  std::erase_if(factors, [&](Factor const* factor) {
+    std::map<std::string, std::string> level;
+    return is_method(factor) || std::all_of(cells.begin(), cells.end(), [&](CellLabels const& cell) {
+             return level.emplace(cell.method, factor->level(cell)).first->second == factor->level(cell);
+           });
+  });
+  return factors;
+}
+
+/// The method, where there are several, and what varies within methods.
+std::string label_of(CellLabels const& cell, std::vector<CellLabels> const& cells) {
+  Factors telling;
+  auto const within = varying_within_methods(cells);
+  for (auto const* factor : varying_factors(cells))
+    if (is_method(factor) || std::find(within.begin(), within.end(), factor) != within.end()) telling.push_back(factor);
+  return short_label(cell, telling);
+}
 
 /// How a line is drawn; gnuplot's words but for the columns.
 struct Pen {
@@ -62,8 +85,8 @@ struct Palette {
 
 std::vector<Pen> pens_of(std::vector<CellLabels> const& cells) {
   Palette palette(cells);
-  auto others = varying_factors(cells);
-  bool const one_method = std::erase_if(others, is_method) == 0;
+  auto const others = varying_within_methods(cells), varying = varying_factors(cells);
+  bool const one_method = std::none_of(varying.begin(), varying.end(), is_method);
   Words combinations;
   std::vector<Pen> pens;
   for (auto const& cell : cells) {
@@ -71,7 +94,8 @@ std::vector<Pen> pens_of(std::vector<CellLabels> const& cells) {
     auto const other = index_in(combinations, describe(cell, others));
     auto const last = palette.methods[series].size() - 1;
     double const white = last == 0 ? 0 : palest * static_cast<double>(last - rank) / static_cast<double>(last);
-    pens.push_back({paler(distinct_colour(one_method ? other : series), white), dashes[other % std::size(dashes)],
+    pens.push_back({paler(distinct_colour(one_method ? other : series), white),
+                    dashes[(other + series / 7) % std::size(dashes)],
                     point_types[(one_method ? other : rank) % std::size(point_types)]});
   }
   return pens;
@@ -145,9 +169,8 @@ FigureSheet precision_sheet(Family const& family) {
   sheet.y_label = family.error_label(is_norm ? "error norm" : "RMS error");
   for (bool const by_time : {false, true})
     if (!by_time || has_times) sheet.panels.push_back(panel_of(work, pens, gnuplot_string(sheet.data_file()), by_time));
-  auto const varying = varying_factors(cells);
   for (std::size_t i = 0; i < cells.size(); ++i)
-    sheet.legend.push_back({"with linespoints " + pens[i].words(), short_label(cells[i], varying)});
+    sheet.legend.push_back({"with linespoints " + pens[i].words(), label_of(cells[i], cells)});
   for (auto const& line : work.lines) sheet.data += data_block(line);
   return sheet;
 }

@@ -168,6 +168,9 @@ constexpr Kind kinds[] = {
     {"precision-",
      "Error at the end against work: steps, and CPU time of a member where it was recorded. Points of a line differ in "
      "their step h alone."},
+    {"cloud-still",
+     "The ensemble in phase space at the start, half-way and at the end. A colour follows members from where they "
+     "started."},
     {"count-", "Mean over members, and their standard deviation."},
     {"mean-", "Mean over members. Where its interval leaves zero for good, the members share a drift."},
 };
@@ -177,10 +180,7 @@ ReportFigure read_figure(std::filesystem::path const& file) {
   std::ostringstream svg;
   svg << stream.rdbuf();
   if (!stream) throw RunError(fmt::format("cannot read the figure {}", file.string()));
-  std::string const stem = file.stem().string();
-  for (auto const& kind : kinds)
-    if (stem.starts_with(kind.prefix)) return {kind.caption, svg.str()};
-  return {stem, svg.str()};
+  return {figure_caption(file.stem().string()), svg.str()};
 }
 
 }  // namespace
@@ -195,6 +195,12 @@ std::string render_report(ReportContent const& content) {
          section("What was run",
                  run(content) + folded("Study file", content.study_text) + folded("Provenance", content.provenance)) +
          "</body>\n</html>\n";
+}
+
+std::string figure_caption(std::string const& stem) {
+  for (auto const& kind : kinds)
+    if (stem.starts_with(kind.prefix)) return kind.caption;
+  return stem;
 }
 
 std::vector<ReportFigure> report_figures(Figures const& figures) {

@@ -33,6 +33,9 @@ struct ReportContent {
 /// One self-contained HTML5 page: nothing is loaded from elsewhere, no scripts; for light and dark screens and paper.
 std::string render_report(ReportContent const& content);
 
+/// What a figure shows, by the stem of its file: "growth-energy".
+std::string figure_caption(std::string const& stem);
+
 /// The SVG files of `figures` with a caption each. @throws RunError for a file that cannot be read
 std::vector<ReportFigure> report_figures(Figures const& figures);
 

@@ -163,8 +163,7 @@ std::string unresolved_sentence(Estimates const& e) {
 /// "14.2 iterations per step in the mean (13.9 … 14.6 over members and samples)".
 std::string count_sentence(Estimates const& e) {
   return fmt::format("{} {} in the mean ({} … {} over members and samples)", number(e.count->mean, 3),
-                     e.unit.empty() ? e.quantity : e.unit, number(e.count->range.low, 3),
-                     number(e.count->range.high, 3));
+                     counted_things(e), number(e.count->range.low, 3), number(e.count->range.high, 3));
 }
 
 /// A verdict speaks of those that came through; that there were others must be said.
@@ -198,6 +197,11 @@ std::string capitalised(std::string text) {
 }
 
 }  // namespace
+
+std::string counted_things(Estimates const& e) {
+  if (e.unit.empty()) return e.quantity;
+  return e.unit.starts_with("per ") ? e.quantity + " " + e.unit : e.unit;
+}
 
 std::string sentence_of(Estimates const& e, Verdict verdict) {
   std::string const sight = verdict == Verdict::count ? "" : "; " + visible(e);

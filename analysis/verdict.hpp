@@ -44,4 +44,7 @@ Judgement judge(Estimates const& e);
 Verdict verdict_of(Estimates const& e);
 std::string sentence_of(Estimates const& e, Verdict verdict);
 
+/// What a count is of: "iterations per step", whether its unit says so or only "per step".
+std::string counted_things(Estimates const& e);
+
 }  // namespace brouwer

@@ -172,9 +172,12 @@ void CommandLine::add_plot() {
 }
 
 void CommandLine::add_report() {
-  auto [app, command] = add<ReportCommand>("report", "one self-contained page of results", report);
-  app->add_option("result", command->result, "result folder")->type_name("RESULT")->required();
-  app->add_option("-o,--output", command->file, "the page (default: RESULT/report.html)")->type_name("FILE");
+  auto [app, command] = add<ReportCommand>("report", "one page of results", report);
+  app->add_option("results", command->results, "result folders; several for a Markdown page")
+      ->type_name("RESULT")
+      ->required();
+  app->add_option("-o,--output", command->file, "the page, FILE.html or FILE.md (default: RESULT/report.html)")
+      ->type_name("FILE");
   add_levels(*app, command->levels);
 }
 

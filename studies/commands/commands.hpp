@@ -51,8 +51,8 @@ struct PlotCommand {
 };
 
 struct ReportCommand {
-  std::string result;
-  std::string file;  ///< "": report.html in the result folder
+  std::vector<std::string> results;  ///< several for a Markdown page only
+  std::string file;  ///< Markdown where it ends in .md, otherwise HTML; "": report.html in the result folder
   Levels levels;
 };
 

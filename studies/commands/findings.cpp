@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <brouwer/error.hpp>
 
+#include "analysis/cloud.hpp"
 #include "analysis/factors.hpp"
 #include "analysis/inference.hpp"
-#include "analysis/plots.hpp"
 #include "analysis/sweep.hpp"
 #include "studies/commands/commands.hpp"
 
@@ -28,6 +28,11 @@ void say_if_unfinished(Results const& results) {
   if (finished < planned)
     fmt::print(stderr, "brouwer: {} is unfinished: {} of {} members in {} cells; run the study again to complete it\n",
                results.folder().string(), finished, planned, results.cells());
+}
+
+void say(Figures const& figures, std::filesystem::path const& folder) {
+  fmt::print(stderr, "{} figures in {}\n", figures.files.size(), folder.string());
+  if (!figures.note.empty()) fmt::print(stderr, "brouwer: {}\n", figures.note);
 }
 
 }  // namespace
@@ -65,6 +70,13 @@ Ensemble Findings::ensemble(std::size_t row) const {
   return results_[places_[row].results].load(places_[row].cell, rows_[row].quantity);
 }
 
+std::vector<Orbits> Findings::orbits() const {
+  std::vector<Orbits> all;
+  for (auto const& results : results_)
+    for (std::size_t cell = 0; cell < results.cells(); ++cell) all.push_back(results.orbits(cell));
+  return all;
+}
+
 std::vector<Outcome> Findings::check(std::vector<Expectation> const& expectations) const {
   auto const sweep = [this](std::vector<std::size_t> const& rows) {
     std::vector<Ensemble> cells;
@@ -88,12 +100,21 @@ void print_outcomes(std::vector<Outcome> const& outcomes, std::vector<std::strin
   for (auto const& sentence : unjudged) fmt::print("  not judged: {}\n", sentence);
 }
 
+Figures draw_all(Findings const& findings, std::filesystem::path const& folder, std::string const& format) {
+  auto figures = draw_figures(findings.rows(), findings.final_errors(), folder, format, findings.cpu_seconds());
+  auto const clouds = draw_clouds(findings.orbits(), folder, {}, format);
+  figures.files.insert(figures.files.end(), clouds.files.begin(), clouds.files.end());
+  if (figures.note.empty()) figures.note = clouds.note;
+  return figures;
+}
+
+void draw_and_say(Findings const& findings, std::filesystem::path const& folder, std::string const& format) {
+  say(draw_all(findings, folder, format), folder);
+}
+
 void draw_and_say(std::vector<Estimates> const& rows, std::vector<std::vector<double>> const& final_errors,
-                  std::filesystem::path const& folder, std::string const& format,
-                  std::vector<double> const& cpu_seconds) {
-  auto const figures = draw_figures(rows, final_errors, folder, format, cpu_seconds);
-  fmt::print(stderr, "{} figures in {}\n", figures.files.size(), folder.string());
-  if (!figures.note.empty()) fmt::print(stderr, "brouwer: {}\n", figures.note);
+                  std::filesystem::path const& folder, std::string const& format) {
+  say(draw_figures(rows, final_errors, folder, format), folder);
 }
 
 int exit_status(std::vector<Outcome> const& outcomes) {

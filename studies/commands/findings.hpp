@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/expectations.hpp"
+#include "analysis/plots.hpp"
 
 namespace brouwer {
 
@@ -21,6 +22,8 @@ class Findings {
   /// Of each row, the CPU seconds that a member took; NaN where not recorded.
   std::vector<double> const& cpu_seconds() const { return cpu_seconds_; }
   Ensemble ensemble(std::size_t row) const;
+  /// Of each cell, where its members were; without members where the study did not ask for states.
+  std::vector<Orbits> orbits() const;
 
   std::vector<Outcome> check(std::vector<Expectation> const& expectations) const;
 
@@ -44,10 +47,13 @@ std::vector<double> final_errors_of(Ensemble const& ensemble);
 void print_verdicts(std::vector<Estimates> const& rows);
 void print_outcomes(std::vector<Outcome> const& outcomes, std::vector<std::string> const& unjudged);
 
+/// All figures of results: of each quantity, and of the clouds in phase space where states were kept.
+Figures draw_all(Findings const& findings, std::filesystem::path const& folder, std::string const& format);
+
 /// Draws the figures and says where they are, or why not, on standard error.
+void draw_and_say(Findings const& findings, std::filesystem::path const& folder, std::string const& format);
 void draw_and_say(std::vector<Estimates> const& rows, std::vector<std::vector<double>> const& final_errors,
-                  std::filesystem::path const& folder, std::string const& format,
-                  std::vector<double> const& cpu_seconds = {});
+                  std::filesystem::path const& folder, std::string const& format);
 
 /// `done` where all have passed, otherwise `expectation_failed`.
 int exit_status(std::vector<Outcome> const& outcomes);

@@ -56,8 +56,12 @@ intervals. The gnuplot scripts and their data are kept beside the figures.
 Example:
   brouwer plot results/elliptic-drift --format pdf -o figures)"},
       {"report",
-       R"(Example:
-  brouwer report results/elliptic-drift -o elliptic-drift.html)"},
+       R"(HTML is one self-contained page of one result. Markdown (FILE.md) takes several: a table of all questions and how
+many expectations hold, then a section each; its figures are put into the folder FILE-figures beside it.
+
+Examples:
+  brouwer report results/elliptic-drift -o elliptic-drift.html
+  brouwer report results/* -o findings.md)"},
       {"fit",
        R"(Long form: columns time, member, error (one more, quantity, where there are several). Wide form: time first,
 then one column a member. Times are > 0 and increasing; the error at time 0 is 0 by definition and left out.

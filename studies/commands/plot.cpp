@@ -1,6 +1,5 @@
 #include <filesystem>
 
-#include "analysis/plots.hpp"
 #include "studies/commands/commands.hpp"
 #include "studies/commands/findings.hpp"
 
@@ -10,7 +9,7 @@ int plot(PlotCommand const& command) {
   Findings const findings(command.results, command.levels);
   auto const standard = std::filesystem::path(command.results.front()) / "figures";
   auto const folder = command.folder.empty() ? standard : std::filesystem::path(command.folder);
-  draw_and_say(findings.rows(), findings.final_errors(), folder, command.format, findings.cpu_seconds());
+  draw_and_say(findings, folder, command.format);
   return done;
 }
 

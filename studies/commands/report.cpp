@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <brouwer/error.hpp>
 #include <brouwer/store/whole_file.hpp>
 
 #include "studies/commands/commands.hpp"
 #include "studies/commands/findings.hpp"
+#include "studies/commands/report_markdown.hpp"
 #include "studies/commands/run_study.hpp"
 
 namespace brouwer {
@@ -23,25 +25,37 @@ ReportContent what_was_asked(StudyFile const& file, Catalogue const& catalogue) 
 }
 
 void add_figures(ReportContent& content, Findings const& findings, std::filesystem::path const& folder) {
-  auto const figures = draw_figures(findings.rows(), findings.final_errors(), folder, "svg", findings.cpu_seconds());
+  auto const figures = draw_all(findings, folder, "svg");
   content.figures = report_figures(figures);
   content.note = figures.note;
 }
 
-}  // namespace
-
-int report(ReportCommand const& command, Catalogue const& catalogue) {
-  std::filesystem::path const folder = command.result;
-  Findings const findings({command.result}, command.levels);
+void write_html(std::filesystem::path const& folder, std::filesystem::path const& page, Levels const& levels,
+                Catalogue const& catalogue) {
+  Findings const findings({folder.string()}, levels);
   StudyFile const file = read_stored_study(folder, catalogue);
   ReportContent content = what_was_asked(file, catalogue);
   content.estimates = findings.rows();
   content.outcomes = findings.check(file.expectations);
   content.provenance = read_whole(folder / "provenance.txt");
   add_figures(content, findings, folder / "figures");
-  std::filesystem::path const page =
-      command.file.empty() ? folder / "report.html" : std::filesystem::path(command.file);
   write_whole(page, render_report(content));
+}
+
+}  // namespace
+
+int report(ReportCommand const& command, Catalogue const& catalogue) {
+  std::filesystem::path const first = command.results.front();
+  auto const page = command.file.empty() ? first / "report.html" : std::filesystem::path(command.file);
+  if (page.extension() == ".md") {
+    write_markdown({command.results.begin(), command.results.end()}, page, command.levels, catalogue);
+  } else {
+    if (command.results.size() > 1)
+      throw InputError(
+          fmt::format("{} is to be HTML, a page of one result; for {} results name a page that ends in .md",
+                      page.string(), command.results.size()));
+    write_html(first, page, command.levels, catalogue);
+  }
   fmt::print(stderr, "report in {}\n", page.string());
   return done;
 }

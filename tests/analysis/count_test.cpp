@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/inference.hpp"
+#include "analysis/verdict.hpp"
 
 namespace brouwer {
 namespace {
@@ -31,6 +32,16 @@ TEST(Count, HasAMeanAndARangeOverMembersAndSamples) {
   EXPECT_EQ(e.sentence, "Count: 12.5 iterations per step in the mean (11.0 … 14.0 over members and samples).");
 }
 
+TEST(Count, SaysWhatItIsOfWhateverItsUnitLeavesOut) {
+  auto e = estimate(iterations(), {});
+  for (auto const* unit : {"per step", "iterations per step"}) {
+    e.unit = unit;
+    EXPECT_EQ(counted_things(e), "iterations per step");
+  }
+  e.unit = "";
+  EXPECT_EQ(counted_things(e), "iterations");
+}
+
 TEST(Count, HasNoLawOfGrowth) {
   auto const e = estimate(iterations(), {});
   EXPECT_EQ(e.verdict, Verdict::count);
@@ -50,7 +61,7 @@ TEST(Count, SaysWhichMembersItLeavesOut) {
   ensemble.failed = 1;
   ensemble.failures = {{"the iteration did not converge", 1, 7}};
   EXPECT_THAT(estimate(ensemble, {}).sentence,
-              testing::EndsWith("; 1 of 4 members is left out: 1 because the iteration did not converge (at step 7)."));
+              testing::EndsWith("; 1 of 4 members is left out because the iteration did not converge (at step 7)."));
 }
 
 TEST(Count, OfMembersThatAllFailedIsNotResolved) {

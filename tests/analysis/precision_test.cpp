@@ -90,6 +90,20 @@ TEST(WorkPrecision, TellsArithmeticsApart) {
   EXPECT_NE(sheet.legend[0].style, sheet.legend[1].style);
 }
 
+TEST(WorkPrecision, TellsNothingOfAnOptionThatOnlySomeMethodsHave) {
+  auto rows = joined(order("dmv-2", 2, {0.1, 0.2}), order("dmv-4", 4, {0.1, 0.2}));
+  rows[2].cell.coefficients = rows[3].cell.coefficients = "per-trajectory";
+  auto sheet = precision_sheet(families(rows, {}).at(0));
+  EXPECT_EQ(sheet.legend[1].text, "dmv-4");
+  EXPECT_THAT(sheet.legend[1].style, HasSubstr(" dt 1 "));
+  auto const both = order("dmv-4", 4, {0.1, 0.2});
+  rows = joined(rows, both);
+  rows[4].cell.coefficients = rows[5].cell.coefficients = "per-step";
+  sheet = precision_sheet(families(rows, {}).at(0));
+  EXPECT_EQ(sheet.legend[1].text, "dmv-4, per-trajectory coefficients");
+  EXPECT_THAT(sheet.legend[2].style, Not(HasSubstr(" dt 1 ")));
+}
+
 TEST(Series, OfMethodsAreNamedAlikeButForTheirNumbers) {
   EXPECT_EQ(series_of("dmv-2"), series_of("dmv-10"));
   EXPECT_NE(series_of("gauss-4-split"), series_of("gauss-4"));

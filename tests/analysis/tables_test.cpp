@@ -146,6 +146,21 @@ TEST(EveryTableForPeople, SaysWhyMembersWereLeftOut) {
   EXPECT_THAT(render_table(rows, TableFormat::json), HasSubstr("\"failures\": \"2 because the iteration"));
 }
 
+TEST(EveryTableForPeople, SaysOnceWhatIsTrueOfEveryErrorOfACell) {
+  auto rows = two_methods_two_quantities();
+  for (auto& row : rows)
+    if (row.cell == rows[0].cell) {
+      row.failed = 64, row.members = 0;
+      row.failures = {{"the iteration did not converge", 64, 0}};
+    }
+  auto const text = render_table(rows, TableFormat::text), note = std::string("64 of 64 members are left out");
+  EXPECT_THAT(text, HasSubstr("elliptic-naive, every error: 64 of 64 members are left out because the iteration did "
+                              "not converge (the first at step 0)."));
+  EXPECT_EQ(text.find(note), text.rfind(note));
+  rows[2].failures[0].first_step = 5;
+  EXPECT_THAT(render_table(rows, TableFormat::text), HasSubstr("elliptic-naive, casimir: 64 of 64"));
+}
+
 TEST(EveryTable, HasARowOfACountWithoutALaw) {
   Ensemble iterations = simulated({}, 10, {1, 10, 100}, 1ul);
   iterations.quantity = "iterations";

@@ -57,7 +57,7 @@ TEST(FailedEnsemble, SaysWhyItsMembersFailed) {
   auto const e = estimate(ensemble, {});
   EXPECT_EQ(e.verdict, Verdict::not_resolved);
   EXPECT_EQ(e.sentence,
-            "Not resolved: all 5 members failed: 5 because the iteration did not converge (the first at step 3); is "
+            "Not resolved: all 5 members failed because the iteration did not converge (the first at step 3); is "
             "the step too large for this method?");
 }
 

@@ -213,7 +213,7 @@ TEST(Sentence, SaysWhyTheyFailed) {
   e.failed = 1;
   e.failures = {{"escape", 1, 17}};
   EXPECT_THAT(sentence_of(e, Verdict::random_walk),
-              testing::EndsWith("; 1 of 65 members is left out: 1 because of an escape (at step 17)."));
+              testing::EndsWith("; 1 of 65 members is left out because of an escape (at step 17)."));
   e.failed = 4;
   e.failures = {{"", 3, -1}, {"escape", 1, 17}};
   EXPECT_THAT(sentence_of(e, Verdict::random_walk),

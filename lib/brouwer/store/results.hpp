@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <brouwer/store/orbits.hpp>
 #include <brouwer/store/record.hpp>
 
 namespace brouwer {
@@ -60,6 +61,9 @@ class Results {
 
   /// All finished members of cell `number` that have this component. @throws InputError if there is none of that name.
   Ensemble load(std::size_t number, std::string const& quantity) const;
+
+  /// Where the cell's members were; no members where the study did not ask for states.
+  Orbits orbits(std::size_t cell) const { return orbits_of(cells_.at(cell).units); }
 
  private:
   struct Cell {

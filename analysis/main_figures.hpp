@@ -1,0 +1,17 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "analysis/estimates.hpp"
+#include "analysis/plots.hpp"
+
+namespace brouwer {
+
+/// Of all figures those that carry the answer: growth, work and precision, and counts of the families of these
+/// quantities (of all where there are none), and the still clouds. Of a sweep over many cells growth is left out.
+/// @param quantities  families or components
+std::vector<std::filesystem::path> main_figures(Figures const& figures, std::vector<Estimates> const& estimates,
+                                                std::vector<std::string> const& quantities);
+
+}  // namespace brouwer
