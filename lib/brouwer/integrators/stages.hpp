@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <memory>
 
 #include <brouwer/systems/failure.hpp>
 #include <brouwer/systems/state.hpp>
@@ -39,6 +40,27 @@ Part added(Part a, Part const& b) {
   for_numbers([](T& x, T const& y) { x = x + y; }, a, b);
   return a;
 }
+
+/// Up to n stages. Those that are not there yet cost nothing, whatever it costs to make a state of nothing: for packs,
+/// zeros written to all of them took longer than a step of RK4.
+template <State S, std::size_t n>
+class StageList {
+ public:
+  StageList() {}  // NOLINT: = default is deleted, for the union
+  StageList(StageList const&) = delete;
+  StageList& operator=(StageList const&) = delete;
+  ~StageList() { std::destroy_n(stages_, size_); }
+
+  void push_back(S const& stage) { std::construct_at(stages_ + size_++, stage); }
+  S& operator[](std::size_t i) { return stages_[i]; }
+  S const& operator[](std::size_t i) const { return stages_[i]; }
+
+ private:
+  union {
+    S stages_[n];
+  };
+  std::size_t size_ = 0;
+};
 
 template <State S>
 bool is_finite(S const& y, int l) {
