@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <array>
 #include <span>
 
@@ -19,8 +18,7 @@ struct PhaseState {
   /// q₁ … qₙ, p₁ … pₙ
   static PhaseState from_components(std::span<T const> c) {
     PhaseState s;
-    std::copy_n(c.begin(), n, s.q.begin());
-    std::copy_n(c.begin() + n, n, s.p.begin());
+    for (std::size_t i = 0; i < n; ++i) s.q[i] = c[i], s.p[i] = c[n + i];
     return s;
   }
 };

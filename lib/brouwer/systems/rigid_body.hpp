@@ -61,6 +61,18 @@ class RigidBody {
   }
   Vector3<T> momentum_rate(Vector3<T> const& y) const { return cross(y, angular_velocity(y)); }
 
+  /// ẏ = y × ω and q̇ = ½ q ⊗ (0, ω), with one ω = I⁻¹y for both: then rounding ω moves neither |y| nor Qy. 36 operations.
+  /// The three divisions stay: a rounded 1/Iⱼ is another body's, the same in every step, from which states part in proportion
+  /// to time; and rounded 1/I₃ − 1/I₂ … do not add up to 0, which |y| would feel. A quotient errs to no side.
+  State rate(State const& s) const {
+    auto const omega = angular_velocity(s.momentum);
+    auto const& q = s.attitude;
+    T const half = T(1) / T(2), a = half * omega[0], b = half * omega[1], c = half * omega[2];
+    return {cross(s.momentum, omega),
+            {-(q.x() * a + q.y() * b + q.z() * c), q.w() * a + q.y() * c - q.z() * b, q.w() * b + q.z() * a - q.x() * c,
+             q.w() * c + q.x() * b - q.y() * a}};
+  }
+
   /// H = ½ Σ yⱼ²/Iⱼ
   T energy(Vector3<T> const& y) const {
     return (y[0] * y[0] / inertia_[0] + y[1] * y[1] / inertia_[1] + y[2] * y[2] / inertia_[2]) / T(2);
@@ -118,6 +130,8 @@ inline std::optional<std::string> rigid_body_complaint(FieldValues const& values
   auto const& q = values.at("attitude");
   double const n = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
   if (!(std::abs(n - 1) <= 1e-6)) return "attitude must be a unit quaternion (q0, q1, q2, q3)";
+  for (double component : values.at("momentum"))
+    if (!std::isfinite(component)) return "momentum must be finite numbers";
   return std::nullopt;
 }
 
