@@ -42,7 +42,7 @@ std::vector<Member> members_of_all_kinds() {
     members.push_back(m);
   }
   members[2].state = {0, 0, 0, 0};  // at rest
-  members[4].step = 1e5;
+  members[4].step = 1e20;
   members[9].state[1] = std::numeric_limits<double>::quiet_NaN();
   members[17].state = {1e30, -1e30, 1e30, 1e30};
   return members;

@@ -25,8 +25,8 @@ class ExplicitRungeKutta {
       : system_(setup.system), step_(setup.step) {
     auto const s = static_cast<std::size_t>(tableau.stages);
     for (std::size_t i = 0; i < s; ++i)
-      rows_.push_back(tableau.uses(i) ? terms(std::span(tableau.a[i], i)) : std::vector<Term>());
-    weights_ = terms(std::span(tableau.b, s));
+      if (tableau.uses(i)) rows_.push_back(terms(tableau, std::span(tableau.a[i], i)));
+    weights_ = terms(tableau, std::span(tableau.b, s));
   }
 
   State increment(State const& y) const {
@@ -45,19 +45,22 @@ class ExplicitRungeKutta {
   }
 
  private:
-  using Stages = std::array<State, ExplicitTableau::most_stages>;
+  using Stages = StageList<State, ExplicitTableau::most_stages>;
 
   struct Term {
-    std::size_t stage;
+    std::size_t stage;  ///< of those that are evaluated
     Element<Scalar> weight;
   };
 
   /// What is not zero, rounded once.
-  static std::vector<Term> terms(std::span<Ratio const> row) {
+  static std::vector<Term> terms(ExplicitTableau const& tableau, std::span<Ratio const> row) {
     using W = Wider<Element<Scalar>>;
     std::vector<Term> kept;
-    for (std::size_t j = 0; j < row.size(); ++j)
-      if (!row[j].is_zero()) kept.push_back({j, rounded<Element<Scalar>>(row[j].in<W>())});
+    std::size_t evaluated = 0;
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      if (!row[j].is_zero()) kept.push_back({evaluated, rounded<Element<Scalar>>(row[j].in<W>())});
+      if (tableau.uses(j)) ++evaluated;
+    }
     return kept;
   }
 
@@ -66,11 +69,11 @@ class ExplicitRungeKutta {
   State walk(State const& y, GoOn go_on) const {
     Stages k;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (i > 0 && rows_[i].empty()) continue;
       State const stage = i == 0 ? y : sum(y, combined(rows_[i], k));
-      if (!go_on(stage)) break;
-      k[i] = system_.rate(stage);
-      for_components([this](Scalar& a) { a = step_ * a; }, k[i]);
+      if (!go_on(stage)) return stage;
+      State change = system_.rate(stage);
+      for_components([this](Scalar& a) { a = step_ * a; }, change);
+      k.push_back(change);
     }
     return combined(weights_, k);
   }
@@ -83,7 +86,7 @@ class ExplicitRungeKutta {
 
   System system_;
   Scalar step_;
-  std::vector<std::vector<Term>> rows_;  ///< empty: of the first stage, and of those that nothing uses
+  std::vector<std::vector<Term>> rows_;  ///< the first is empty
   std::vector<Term> weights_;
 };
 

@@ -1,7 +1,9 @@
 #pragma once
 #include <array>
 #include <limits>
+#include <span>
 
+#include <brouwer/integrators/coming_to_rest.hpp>
 #include <brouwer/integrators/gauss_coefficients.hpp>
 #include <brouwer/integrators/stages.hpp>
 #include <brouwer/integrators/stepper.hpp>
@@ -16,12 +18,10 @@ namespace brouwer {
 /// system is separable a turn finds the velocities of all stages, then the forces: for as many evaluations it gains
 /// twice the digits. The first iterate is k = hw rate(y): a step has no history to extrapolate from.
 ///
-/// A component is at rest when no stage's k moved at all in it, or when its largest move is no smaller than
-/// one before: rounding alone is left. (E. Hairer, R. I. McLachlan, A. Razakarivony, BIT Numer. Math. 48 (2008) 231;
-/// by components M. Antoñana, J. Makazaga, A. Murua, Numer. Algorithms 76 (2017) 861.) The standard form, which shows what
-/// a tolerance does, also takes a move below u|y| for rest, u = ε/2. A lane is frozen when all its components are at
-/// rest in one turn, and none moved by more than 2¹⁰ ε of the step's size: before that, growing moves are no noise.
-/// One that does not come to rest in `limit` turns becomes NaN.
+/// A lane is frozen when it has come to rest (coming_to_rest.hpp): in the standard form, which shows what a tolerance does,
+/// at u|y|, u = ε/2; in the others where rounding alone is left. One that does not in `limit` turns becomes NaN.
+///
+/// In double-double the iteration begins where that of the high parts, in double, comes to rest: half the turns are cheap.
 template <FieldSystem S>
 class ImplicitRungeKutta {
  public:
@@ -34,7 +34,8 @@ class ImplicitRungeKutta {
   ImplicitRungeKutta(Setup<System> const& setup, ImplicitMethod const& method, CoefficientForm form)
       : system_(setup.system),
         coefficients_(&implicit_coefficients<Element<Scalar>>(method, form)),
-        tolerance_(form == CoefficientForm::standard ? Scalar(epsilon<Scalar>() / Scalar(2)) : Scalar(0)) {
+        tolerance_(form == CoefficientForm::standard ? Scalar(epsilon<Scalar>() / Scalar(2)) : Scalar(0)),
+        high_(in_high_parts(setup, method, form)) {
     set_steps(setup.step);
   }
 
@@ -44,38 +45,64 @@ class ImplicitRungeKutta {
   }
 
   State increment(State const& y, Scalar& turns) const {
-    Iterate e = begin(y);
-    for (int i = 0; i < limit && any(e.active); ++i) {
-      turns = turns + select(e.active, Scalar(1), Scalar(0));
-      turn(y, e);
-    }
+    Iterate e = first_iterate(y);
+    improve(y, e, turns);
+    solve(y, e, turns);
     return finish(e);
   }
 
   /// Why the step from y gives no finite state.
   Failure failure(State const& y, int l) const {
     if (!is_finite(y, l)) return Failure::not_finite;
-    Iterate e = begin(y);
-    for (int i = 0; i < limit && is_set(e.active, l); ++i) {
+    if constexpr (has_high_part)
+      if (auto const reason = high_.failure(high(y), l); reason != Failure::none) return reason;
+    Scalar turns(0);
+    Iterate e = first_iterate(y);
+    improve(y, e, turns);
+    for (int i = 0; i < limit && is_set(e.rest.active, l); ++i) {
       if (auto const reason = failure_of_stages(y, e, l); reason != Failure::none) return reason;
       turn(y, e);
     }
-    if (is_set(e.active, l)) return Failure::no_convergence;
+    if (is_set(e.rest.active, l)) return Failure::no_convergence;
     auto const reason = failure_of_stages(y, e, l);
     return reason == Failure::none ? failure_of_ends(system_, y, finish(e), l) : reason;
   }
 
  private:
   static constexpr std::size_t most_stages = ImplicitMethod::most_stages;
-  using Stages = std::array<State, most_stages>;
+  using Stages = StageList<State, most_stages>;
+
+  template <FieldSystem>
+  friend class ImplicitRungeKutta;
+
+  /// The same method over the leading parts of the scalar, if it has such.
+  static constexpr bool has_high_part = !std::is_void_v<typename HighPart<Scalar>::type>;
+  struct Nothing {};
+  template <bool has_it, class Any>
+  struct InHighParts {
+    using type = Nothing;
+  };
+  template <class Any>
+  struct InHighParts<true, Any> {
+    using type = ImplicitRungeKutta<typename Any::template In<Leading<Scalar>>>;
+  };
+  using High = typename InHighParts<has_high_part, System>::type;
 
   /// The stages' changes, being found.
   struct Iterate {
     Stages k;
-    State least;   ///< of each component the smallest of its largest moves that were not zero
-    Scalar noise;  ///< above this, moves are no noise
-    Mask<Scalar> active;
+    ComingToRest<State> rest;
+
+    /// k = hw rate(y)
+    Iterate(State const& y, State const& rate, std::span<Scalar const> steps) : rest(y, scaled(steps[0], rate)) {
+      for (auto const& step : steps) k.push_back(scaled(step, rate));
+    }
   };
+
+  static State scaled(Scalar const& step, State rate) {
+    for_components([&step](Scalar& k) { k = step * k; }, rate);
+    return rate;
+  }
 
   std::size_t stages() const { return coefficients_->stages; }
 
@@ -91,25 +118,39 @@ class ImplicitRungeKutta {
     steps_[0] = steps_[s - 1] = rounded<Scalar>(W(left / W(2)));
   }
 
-  Iterate begin(State const& y) const {
-    using math::abs;
-    State const rate = system_.rate(y);
-    Iterate e;
-    e.least = y;
-    e.noise = Scalar(0);
-    e.active = Scalar(0) < Scalar(1);
-    for (std::size_t i = 0; i < stages(); ++i) {
-      e.k[i] = rate;
-      for_components([&](Scalar& k) { k = steps_[i] * k; }, e.k[i]);
+  static High in_high_parts(Setup<System> const& setup, ImplicitMethod const& method, CoefficientForm form) {
+    if constexpr (has_high_part)
+      return High({setup.system.template in<Leading<Scalar>>(), setup.step.high(), high(setup.start)}, method, form);
+    else
+      return {};
+  }
+  static auto high(State const& y) requires has_high_part {
+    typename High::State leading;
+    for_components([](auto& a, Scalar const& b) { a = b.high(); }, leading, y);
+    return leading;
+  }
+
+  void solve(State const& y, Iterate& e, Scalar& turns) const {
+    for (int i = 0; i < limit && any(e.rest.active); ++i) {
+      turns = turns + select(e.rest.active, Scalar(1), Scalar(0));
+      turn(y, e);
     }
-    for_components(
-        [&e](Scalar& least, Scalar const& start, Scalar const& change) {
-          e.noise = larger(Scalar(abs(start) + abs(change)), e.noise);
-          least = std::numeric_limits<Scalar>::infinity();
-        },
-        e.least, y, e.k[0]);
-    e.noise = Scalar(1024) * epsilon<Scalar>() * e.noise;
-    return e;
+  }
+
+  Iterate first_iterate(State const& y) const { return Iterate(y, system_.rate(y), std::span(steps_).first(stages())); }
+
+  /// … to where the iteration in the high parts leads, if there are such.
+  void improve(State const& y, Iterate& e, Scalar& turns) const {
+    if constexpr (has_high_part) {
+      auto leading = high_.first_iterate(high(y));
+      typename High::Scalar leading_turns(0);
+      high_.solve(high(y), leading, leading_turns);
+      turns = turns + Scalar(leading_turns);
+      for (std::size_t i = 0; i < stages(); ++i)
+        for_components([](Scalar& k, auto const& from) { k = Scalar(from); }, e.k[i], leading.k[i]);
+    } else {
+      (void)y, (void)e, (void)turns;
+    }
   }
 
   void turn(State const& y, Iterate& e) const {
@@ -123,7 +164,7 @@ class ImplicitRungeKutta {
     } else {
       for (std::size_t i = 0; i < stages(); ++i) accept(i, system_.rate(stage_value(i, y, e)), e, moved, whole);
     }
-    look(y, moved, e);
+    e.rest.look(y, moved, tolerance_);
   }
 
   // what of a state a stage is formed of, and a rate put in
@@ -170,32 +211,17 @@ class ImplicitRungeKutta {
           using math::abs;
           Scalar const next = steps_[i] * r;
           move = larger(Scalar(abs(next - k)), move);
-          k = select(e.active, next, k);
+          k = select(e.rest.active, next, k);
         },
         part(e.k[i]), part(moved), rate);
-  }
-
-  /// Which lanes go on. One with a NaN does not: it compares as no move.
-  void look(State const& y, State const& moved, Iterate& e) const {
-    using math::abs;
-    Scalar largest(0);
-    auto falling = Scalar(1) < Scalar(0);
-    for_components(
-        [&](Scalar& least, Scalar const& move, Scalar const& start) {
-          falling = either(falling, both(move > tolerance_ * abs(start), move < least));
-          least = select(move > Scalar(0), smaller(move, least), least);
-          largest = larger(move, largest);
-        },
-        e.least, moved, y);
-    e.active = both(e.active, either(falling, largest > e.noise));
   }
 
   State finish(Iterate const& e) const {
     auto const& c = *coefficients_;
     State change = combined(c.v, c.v_rest, e.k, whole);
-    if (any(e.active))
-      for_components([&e](Scalar& d) { d = select(e.active, Scalar(std::numeric_limits<Scalar>::quiet_NaN()), d); },
-                     change);
+    if (any(e.rest.active))
+      for_components(
+          [&e](Scalar& d) { d = select(e.rest.active, Scalar(std::numeric_limits<Scalar>::quiet_NaN()), d); }, change);
     return change;
   }
 
@@ -203,6 +229,7 @@ class ImplicitRungeKutta {
   ImplicitCoefficients<Element<Scalar>> const* coefficients_;  ///< kept for ever
   Scalar tolerance_;
   StageVector<Scalar> steps_{};  ///< hwᵢ
+  [[no_unique_address]] High high_;
 };
 
 }  // namespace brouwer
