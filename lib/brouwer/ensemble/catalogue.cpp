@@ -6,9 +6,11 @@
 #include <brouwer/ensemble/method.hpp>
 #include <brouwer/error.hpp>
 #include <brouwer/spelling.hpp>
+#include <brouwer/systems/double_pendulum.hpp>
 #include <brouwer/systems/double_well.hpp>
 #include <brouwer/systems/henon_heiles.hpp>
 #include <brouwer/systems/kepler.hpp>
+#include <brouwer/systems/outer_solar_system.hpp>
 #include <brouwer/systems/pendulum.hpp>
 
 namespace brouwer {
@@ -90,7 +92,8 @@ Catalogue builtin_catalogue() {
   Catalogue catalogue;
   catalogue.arithmetics = arithmetic_entries();
   for (auto const& system :
-       {describe_rigid_body(), describe_double_well(), describe_pendulum(), describe_henon_heiles(), describe_kepler()})
+       {describe_rigid_body(), describe_double_well(), describe_pendulum(), describe_henon_heiles(),
+        describe_double_pendulum(), describe_kepler(), describe_outer_solar_system()})
     catalogue.add(system);
 #define BROUWER_ADD_NUMBERS(family)         \
   BROUWER_ADD(family, hardware)(catalogue); \

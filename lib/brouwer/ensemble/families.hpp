@@ -17,10 +17,13 @@ class Catalogue;
   family(elliptic)               \
   family(rigid_body_splitting)   \
   family(dmv)                    \
+  family(rigid_body_field)       \
   family(double_well)            \
   family(pendulum)               \
   family(henon_heiles)           \
-  family(kepler)
+  family(double_pendulum)        \
+  family(kepler)                 \
+  family(outer_solar_system)
 // clang-format on
 
 #define BROUWER_ADD(family, scalars) brouwer_add_##family##_##scalars

@@ -31,7 +31,7 @@ requires(lanes<T> == 1) class DmvMatrix {
   using State = RigidBodyState<T>;
   static constexpr int order = 2;
 
-  explicit DmvMatrix(Setup<System> const& setup) : h_(setup.step), attitude_(setup.attitude) {
+  explicit DmvMatrix(Setup<System> const& setup) : h_(setup.step), attitude_(setup.whole_state) {
     using W = Wider<T>;
     auto const I = setup.system.template in<W>().inertia();
     for (int j = 0; j < 3; ++j) d_[j] = rounded<T>(W((I[(j + 1) % 3] + I[(j + 2) % 3] - I[j]) / W(2)));

@@ -56,9 +56,9 @@ struct SystemDescription {
   std::function<void(FieldValues&)> project = {};
   /// What a user of these values should know ("the centre of mass moves …"), or nothing; may be empty.
   std::function<std::optional<std::string>(FieldValues const&)> warning = {};
-  double usual_step = 0.01;  ///< h at which methods of order 2 follow the standard start
   /// The two components of the state that show it best in a plane (indices).
   std::array<std::size_t, 2> plane = {0, 1};
+  double usual_step = 0.01;  ///< h at which methods of order 2 follow the standard start
 
   /// How many numbers the quantities of a kind have together.
   std::size_t count(Quantity::Kind kind) const {

@@ -109,7 +109,7 @@ inline SystemDescription describe_double_pendulum() {
            {"position", 2, false, "rad", "angles from the vertical, 0 at rest", {0.75, 0.5}},
            {"momentum", 2, false, "mass length^2 / time", "canonical momenta, 0 where nothing moves", {0, 0}}},
           {energy_quantity("H; error relative to H(0) less the energy of the pendulum at rest"),
-           state_quantity(2, "rad; mass length^2 / time"), phase_quantity(), iterations_quantity()},
+           state_quantity(2, "rad; mass length^2 / time"), phase_quantity()},
           {"q1", "q2", "p1", "p2"},
           4,
           false,

@@ -195,8 +195,7 @@ inline std::vector<Quantity> quantities_of_outer_solar_system() {
       vector("linear-momentum", "relative", "P = sum m v; error relative to the start's sum m |v|"),
       vector("barycentre", "AU", "sum m q / sum m since the start: rests where recentre = 1, else moves with P"),
       {"state", names_of_outer_bodies(1, ""), "AU", Kind::state, false, "heliocentric positions, less the reference's"},
-      phase,
-      iterations_quantity()};
+      phase};
 }
 
 inline SystemDescription describe_outer_solar_system() {
@@ -224,7 +223,8 @@ inline SystemDescription describe_outer_solar_system() {
           outer_solar_system_complaint,
           project_outer_solar_system,
           outer_solar_system_warning,
-          {3, 4}};
+          {3, 4},
+          10};
 }
 
 }  // namespace brouwer
