@@ -1,7 +1,16 @@
 #include "tests/benchmarks/flops.hpp"
 
+#include <brouwer/ensemble/families.hpp>
 #include <brouwer/ensemble/families/dmv.hpp>
+#include <brouwer/ensemble/families/double_pendulum.hpp>
+#include <brouwer/ensemble/families/double_well.hpp>
 #include <brouwer/ensemble/families/elliptic.hpp>
+#include <brouwer/ensemble/families/henon_heiles.hpp>
+#include <brouwer/ensemble/families/kepler.hpp>
+#include <brouwer/ensemble/families/outer_solar_system.hpp>
+#include <brouwer/ensemble/families/pendulum.hpp>
+#include <brouwer/ensemble/families/rigid_body_field.hpp>
+#include <brouwer/ensemble/families/rigid_body_splitting.hpp>
 
 namespace brouwer::benchmarks {
 namespace {
@@ -30,8 +39,8 @@ void with_stepper(Kernel const& kernel, Use use) {
     if constexpr (OwnElementary<T> || !calls_functions<Family>)
       if (text.name == kernel.cell.method && text.system == kernel.cell.system) family.template choose<T>(request, use);
   };
-  families::elliptic::for_each_method(visit);
-  families::dmv::for_each_method(visit);
+#define BROUWER_VISIT(family) families::family::for_each_method(visit);
+  BROUWER_FAMILIES(BROUWER_VISIT)
 }
 
 template <class S>

@@ -30,13 +30,21 @@ INSTANTIATE_TEST_SUITE_P(Each, ShippedStudy, testing::ValuesIn(shipped()), [](au
   return name;
 });
 
+/// Do the errors of this method's studies hold truncation?
+bool truncates(std::string const& method) {
+  for (char const* without : {"elliptic-", "dmv-", "gauss-"})
+    if (method.starts_with(without)) return false;
+  return true;
+}
+
 TEST_P(ShippedStudy, RunsAtToySize) {
   StudyRun const study(file, {"ensemble.members=4", "integrate.steps=64", "observe.samples.count=8"});
   EXPECT_FALSE(study.rows().empty());
   for (auto const& row : study.rows()) {
     EXPECT_EQ(row.failed, 0) << row.quantity;
     EXPECT_GT(row.rms_final, 0) << row.quantity << ": the state must have moved, and its arithmetic rounded";
-    EXPECT_LT(row.rms_final, 1e-12) << row.quantity;
+    bool const rounding = row.unit != "per step" && !truncates(row.cell.method);
+    if (rounding) EXPECT_LT(row.rms_final, 1e-12) << row.quantity;
   }
 }
 
