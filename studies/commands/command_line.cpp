@@ -163,11 +163,14 @@ void CommandLine::add_table() {
 }
 
 void CommandLine::add_plot() {
-  auto [app, command] =
-      add<PlotCommand>("plot", "figures of results", [](PlotCommand const& c, Catalogue const&) { return plot(c); });
+  auto [app, command] = add<PlotCommand>("plot", "figures of results", plot);
   app->add_option("results", command->results, "result folders")->type_name("RESULT")->required();
   app->add_option("-o,--output", command->folder, "folder of the figures (default: RESULT/figures)")->type_name("DIR");
   app->add_option("--format", command->format, "svg, png or pdf")->capture_default_str();
+  app->add_option("--plane", command->plane, "state components X,Y of clouds in phase space")
+      ->type_name("X,Y")
+      ->delimiter(',')
+      ->expected(2);
   add_levels(*app, command->levels);
 }
 

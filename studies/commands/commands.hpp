@@ -47,6 +47,7 @@ struct PlotCommand {
   std::vector<std::string> results;
   std::string folder;  ///< "": figures/ in the result folder
   std::string format = "svg";
+  std::vector<std::string> plane;  ///< two state components, for clouds; empty: the system's usual ones
   Levels levels;
 };
 
@@ -84,7 +85,7 @@ struct ListCommand {
 int run(RunCommand const& command, Catalogue const& catalogue);
 int plan(PlanCommand const& command, Catalogue const& catalogue);
 int table(TableCommand const& command);
-int plot(PlotCommand const& command);
+int plot(PlotCommand const& command, Catalogue const& catalogue);
 int report(ReportCommand const& command, Catalogue const& catalogue);
 int check(CheckCommand const& command, Catalogue const& catalogue);
 int fit(FitCommand const& command);

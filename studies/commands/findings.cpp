@@ -100,16 +100,26 @@ void print_outcomes(std::vector<Outcome> const& outcomes, std::vector<std::strin
   for (auto const& sentence : unjudged) fmt::print("  not judged: {}\n", sentence);
 }
 
-Figures draw_all(Findings const& findings, std::filesystem::path const& folder, std::string const& format) {
+/// What the description of the first cell's system says; nothing for a system that this catalogue does not have.
+std::optional<Plane> usual_plane(Findings const& findings, Catalogue const& catalogue) {
+  for (auto const& system : catalogue.systems)
+    if (system.name == findings.rows().front().cell.system)
+      return Plane{system.state_components.at(system.plane[0]), system.state_components.at(system.plane[1])};
+  return std::nullopt;
+}
+
+Figures draw_all(Findings const& findings, Catalogue const& catalogue, std::filesystem::path const& folder,
+                 std::string const& format, std::optional<Plane> const& plane) {
   auto figures = draw_figures(findings.rows(), findings.final_errors(), folder, format, findings.cpu_seconds());
-  auto const clouds = draw_clouds(findings.orbits(), folder, {}, format);
+  auto const clouds = draw_clouds(findings.orbits(), folder, plane ? plane : usual_plane(findings, catalogue), format);
   figures.files.insert(figures.files.end(), clouds.files.begin(), clouds.files.end());
   if (figures.note.empty()) figures.note = clouds.note;
   return figures;
 }
 
-void draw_and_say(Findings const& findings, std::filesystem::path const& folder, std::string const& format) {
-  say(draw_all(findings, folder, format), folder);
+void draw_and_say(Findings const& findings, Catalogue const& catalogue, std::filesystem::path const& folder,
+                  std::string const& format, std::optional<Plane> const& plane) {
+  say(draw_all(findings, catalogue, folder, format, plane), folder);
 }
 
 void draw_and_say(std::vector<Estimates> const& rows, std::vector<std::vector<double>> const& final_errors,

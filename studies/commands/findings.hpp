@@ -1,4 +1,5 @@
 #pragma once
+#include <brouwer/ensemble/catalogue.hpp>
 #include <brouwer/store/results.hpp>
 #include <filesystem>
 #include <string>
@@ -48,10 +49,13 @@ void print_verdicts(std::vector<Estimates> const& rows);
 void print_outcomes(std::vector<Outcome> const& outcomes, std::vector<std::string> const& unjudged);
 
 /// All figures of results: of each quantity, and of the clouds in phase space where states were kept.
-Figures draw_all(Findings const& findings, std::filesystem::path const& folder, std::string const& format);
+/// @param plane  of the clouds; where not given, that of their system's description
+Figures draw_all(Findings const& findings, Catalogue const& catalogue, std::filesystem::path const& folder,
+                 std::string const& format, std::optional<Plane> const& plane = {});
 
 /// Draws the figures and says where they are, or why not, on standard error.
-void draw_and_say(Findings const& findings, std::filesystem::path const& folder, std::string const& format);
+void draw_and_say(Findings const& findings, Catalogue const& catalogue, std::filesystem::path const& folder,
+                  std::string const& format, std::optional<Plane> const& plane = {});
 void draw_and_say(std::vector<Estimates> const& rows, std::vector<std::vector<double>> const& final_errors,
                   std::filesystem::path const& folder, std::string const& format);
 

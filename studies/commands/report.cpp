@@ -24,8 +24,9 @@ ReportContent what_was_asked(StudyFile const& file, Catalogue const& catalogue) 
   return content;
 }
 
-void add_figures(ReportContent& content, Findings const& findings, std::filesystem::path const& folder) {
-  auto const figures = draw_all(findings, folder, "svg");
+void add_figures(ReportContent& content, Findings const& findings, Catalogue const& catalogue,
+                 std::filesystem::path const& folder) {
+  auto const figures = draw_all(findings, catalogue, folder, "svg");
   content.figures = report_figures(figures);
   content.note = figures.note;
 }
@@ -38,7 +39,7 @@ void write_html(std::filesystem::path const& folder, std::filesystem::path const
   content.estimates = findings.rows();
   content.outcomes = findings.check(file.expectations);
   content.provenance = read_whole(folder / "provenance.txt");
-  add_figures(content, findings, folder / "figures");
+  add_figures(content, findings, catalogue, folder / "figures");
   write_whole(page, render_report(content));
 }
 

@@ -29,7 +29,7 @@ Draft draft_of(fs::path const& folder, Levels const& levels, Catalogue const& ca
   StudyFile const file = read_stored_study(folder, catalogue);
   std::vector<std::string> asked;
   for (auto const& expectation : file.expectations) asked.push_back(expectation.of);
-  auto const figures = draw_all(findings, folder / "figures", "svg");
+  auto const figures = draw_all(findings, catalogue, folder / "figures", "svg");
   Draft draft{{file.study.name,
                file.study.question,
                file.study.source,

@@ -22,7 +22,7 @@ int run(RunCommand const& command, Catalogue const& catalogue) {
   auto const outcomes = findings.check(file.expectations);
   print_outcomes(outcomes, file.unjudged);
   if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), "standard output");
-  if (!command.no_figures) draw_and_say(findings, folder / "figures", "svg");
+  if (!command.no_figures) draw_and_say(findings, catalogue, folder / "figures", "svg");
   return exit_status(outcomes);
 }
 
