@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <brouwer/error.hpp>
 
-#include "analysis/cloud.hpp"
 #include "analysis/factors.hpp"
 #include "analysis/inference.hpp"
 #include "analysis/sweep.hpp"

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/cloud.hpp"
 #include "analysis/expectations.hpp"
 #include "analysis/plots.hpp"
 
