@@ -62,7 +62,7 @@ TEST(Catalogue, RunsEveryMethodInEveryArithmeticToItsPrecision) {
     double const h = std::exp2(std::round(std::log2(system.usual_step)));  // the same in every arithmetic
     auto const start = rounded_to(arithmetic.name, nominal_start(standard_study(system), system));
     CellLabels cell{system.name,  method.name, "mpfr-512", variant == no_level ? no_level : "own",
-                    coefficients, false,       h,          8};
+                    coefficients, false,       h,          3};
     auto const expected = state_after(catalogue, cell, start);
     cell.arithmetic = arithmetic.name;
     cell.special_functions = variant;

@@ -119,7 +119,9 @@ TEST(Plan, RefusesWhatCannotBe) {
   EXPECT_THAT(with([](Study& s) { s.arithmetics = {"duoble"}; }), HasSubstr("did you mean 'double'"));
   EXPECT_THAT(with([](Study& s) { s.coefficients = {"per-stpe"}; }), HasSubstr("did you mean 'per-step'"));
   EXPECT_THAT(with([](Study& s) { s.quantities = {"energie"}; }), HasSubstr("did you mean 'energy'"));
-  EXPECT_THAT(with([](Study& s) { s.system = "pendulum"; }), HasSubstr("rigid_body"));
+  EXPECT_THAT(with([](Study& s) { s.system = "pendulun"; }), HasSubstr("did you mean 'pendulum'"));
+  EXPECT_THAT(with([](Study& s) { s.system = "pendulum"; }), HasSubstr("'frequency' of pendulum is missing"));
+  EXPECT_THAT(with([](Study& s) { s.values["inertia"] = {1, 2}; }), HasSubstr("expected 3 numbers, found 2"));
   EXPECT_THAT(with([](Study& s) { s.values["inertia"] = {1, 0.5, 1}; }), HasSubstr("sorted"));
   EXPECT_THAT(with([](Study& s) { s.steps = 5; }), HasSubstr("cannot be sampled 8 times"));
   EXPECT_THAT(with([](Study& s) { s.reference = {}; }), HasSubstr("needs a reference"));

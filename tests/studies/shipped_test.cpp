@@ -44,7 +44,7 @@ TEST_P(ShippedStudy, RunsAtToySize) {
     EXPECT_EQ(row.failed, 0) << row.quantity;
     EXPECT_GT(row.rms_final, 0) << row.quantity << ": the state must have moved, and its arithmetic rounded";
     bool const rounding = row.unit != "per step" && !truncates(row.cell.method);
-    if (rounding) EXPECT_LT(row.rms_final, 1e-12) << row.quantity;
+    EXPECT_LT(row.rms_final, rounding ? 1e-12 : 1e3) << row.quantity;
   }
 }
 

@@ -105,8 +105,21 @@ void check_iterations(Study const& study, Catalogue const& catalogue, Quantity c
                                  quantity.name, fmt::join(study.methods, ", ")));
 }
 
+/// Every field has its numbers.
+void check_fields(Study const& study, SystemDescription const& system) {
+  for (auto const& field : system.fields) {
+    auto const found = study.values.find(field.name);
+    if (found == study.values.end())
+      throw InputError(fmt::format("'{}' of {} is missing: expected {} numbers", field.name, system.name, field.size));
+    if (found->second.size() != static_cast<std::size_t>(field.size))
+      throw InputError(fmt::format("'{}' of {}: expected {} numbers, found {}", field.name, system.name, field.size,
+                                   found->second.size()));
+  }
+}
+
 void check(Study const& study, Catalogue const& catalogue) {
   auto const& system = catalogue.system(study.system);
+  check_fields(study, system);
   if (auto complaint = system.complaint(study.values)) throw InputError(*complaint);
   for (auto const& name : study.arithmetics) catalogue.arithmetic(name);
   check_coefficients(study, catalogue);
