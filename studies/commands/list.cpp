@@ -4,6 +4,7 @@
 #include <brouwer/error.hpp>
 #include <brouwer/spelling.hpp>
 #include <brouwer/store/whole_file.hpp>
+#include <set>
 
 #include "studies/commands/commands.hpp"
 #include "studies/reading/toml.hpp"
@@ -36,13 +37,21 @@ std::string traits(MethodEntry const& method) {
   return text;
 }
 
+/// The systems that have a method of this name.
+std::vector<std::string> systems_with(std::string const& method, Catalogue const& catalogue) {
+  std::vector<std::string> systems;
+  for (auto const& entry : catalogue.methods)
+    if (entry.name == method) systems.push_back(entry.system);
+  return systems;
+}
+
+/// Each name once, however many systems have it.
 void list_methods(Catalogue const& catalogue) {
-  for (auto const& system : catalogue.systems) {
-    fmt::print("  of {}\n", system.name);
-    for (auto const& method : catalogue.methods)
-      if (method.system == system.name)
-        fmt::print("    {:<26} {}\n{:32}{}; {}\n", method.name, method.summary, "", traits(method), method.source);
-  }
+  std::set<std::string> listed;
+  for (auto const& method : catalogue.methods)
+    if (listed.insert(method.name).second)
+      fmt::print("  {:<28} {}\n{:31}{}\n{:31}{}\n{:31}{}\n", method.name, method.summary, "",
+                 fmt::join(systems_with(method.name, catalogue), ", "), "", traits(method), "", method.source);
 }
 
 void list_arithmetics(Catalogue const& catalogue) {

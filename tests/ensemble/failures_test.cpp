@@ -65,7 +65,7 @@ TEST(Failures, NameTheLastStepWithAStateHoweverTheStepsAreCut) {
 }
 
 TEST(Failures, AreOfTheIterationWhereItDoesNotConverge) {
-  auto const all = begin(cell("gauss-8", 0.3, "split"), wells({1.1, 3}), InstructionSet::none);
+  auto const all = begin(cell("gauss-8", 0.3, "split"), wells({1.1, 9}), InstructionSet::none);
   all->advance(5);
   EXPECT_FALSE(all->failure(0));
   ASSERT_TRUE(all->failure(1));

@@ -60,7 +60,7 @@ Setup<RigidBody<Element<T>>> setup_of_lane(Setup<RigidBody<T>> const& s, int i) 
   };
   RigidBodyState<Element<T>> start;
   for_components([&](auto& a, auto const& pack) { a = lane(pack, i); }, start, s.start);
-  return {RigidBody<Element<T>>(vector(s.system.inertia())), lane(s.step, i), start, s.attitude};
+  return {RigidBody<Element<T>>(vector(s.system.inertia())), lane(s.step, i), start, s.whole_state};
 }
 
 template <class Y>

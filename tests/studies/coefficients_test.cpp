@@ -96,9 +96,9 @@ TEST_F(StudyOfCoefficients, IsTriedCellByCell) {
 TEST_F(StudyOfCoefficients, ListsWhichMethodsHaveThem) {
   auto const listed = said({"list", "methods"});
   auto const preprocessed = listed.substr(listed.find("\n  preprocessed"));
-  EXPECT_THAT(preprocessed, HasSubstr("coefficients per step or per trajectory"));
+  EXPECT_THAT(preprocessed, HasSubstr("coefficients per-step, per-trajectory"));
   auto const plain = listed.find("\n  dmv-2"), after = listed.find("\n  dmv-4");
-  EXPECT_THAT(listed.substr(plain, after - plain), Not(HasSubstr("coefficients per step")));
+  EXPECT_THAT(listed.substr(plain, after - plain), Not(HasSubstr("coefficients per-step")));
 }
 
 }  // namespace

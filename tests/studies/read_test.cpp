@@ -15,6 +15,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
@@ -94,7 +95,7 @@ TEST(StudyFile, TakesWhatIsLeftOutFromTheCatalogueAndTheDefaults) {
   auto const file = read(with("seed = 2008\n", ""));
   EXPECT_THAT(file.study.values.at("inertia"), ElementsAre(0.6, 0.8, 1.0));
   EXPECT_THAT(file.study.special_functions, ElementsAre("own"));
-  EXPECT_THAT(file.study.coefficients, ElementsAre("per-step"));
+  EXPECT_THAT(file.study.coefficients, IsEmpty()) << "each method's first level";
   EXPECT_THAT(file.study.compensation, ElementsAre(false));
   EXPECT_EQ(file.study.seed, 0U);
 }
@@ -127,11 +128,16 @@ TEST(StudyFile, TakesShortFormsAndHyphens) {
   EXPECT_EQ(read(with("steps = 100_000", "steps = 1e5")).study.steps, 100'000);
 }
 
+/// A study of methods one of which has coefficients.
+std::string with_coefficients(std::string const& levels) {
+  auto text = with("step = [", "coefficients = " + levels + "\nstep = [");
+  return text.replace(text.find("\"dmv-2\"]"), 8, "\"dmv-2\", \"dmv-10\"]");
+}
+
 TEST(StudyFile, TakesOneOrAListOfCoefficientsAndExpectsOfThem) {
-  auto const one = with("step = [", "coefficients = \"per-trajectory\"\nstep = [");
+  auto const one = with_coefficients("\"per-trajectory\"");
   EXPECT_THAT(read(one).study.coefficients, ElementsAre("per-trajectory"));
-  auto text = with("step = [", "coefficients = [\"per-step\", \"per-trajectory\"]\nstep = [");
-  text.replace(text.find("\"dmv-2\"]"), 8, "\"dmv-2\", \"dmv-10\"]");
+  auto text = with_coefficients("[\"per-step\", \"per-trajectory\"]");
   std::string const selector = "where = { method = \"dmv-2\" }";
   text.replace(text.find(selector), selector.size(), "where = { coefficients = \"per-trajectory\" }");
   auto const file = read(text);
@@ -365,7 +371,7 @@ TEST(Override, TakesTomlAndBareWords) {
 }
 
 TEST(Override, OfCoefficientsReplacesThoseOfTheFile) {
-  auto const text = with("step = [", "coefficients = \"per-step\"\nstep = [");
+  auto const text = with_coefficients("\"per-step\"");
   EXPECT_THAT(read(text, {parse_override("integrate.coefficients=per-trajectory")}).study.coefficients,
               ElementsAre("per-trajectory"));
 }
