@@ -40,6 +40,9 @@ class Counting {
   requires(std::constructible_from<E, U> && !std::same_as<U, E> &&
            !std::integral<U>) constexpr explicit Counting(U const& value)
       : value_(static_cast<E>(value)) {}
+  template <class U>
+  requires std::same_as<U, DoubleDouble<Counting>>
+  explicit Counting(U const& value) : value_(value.high().value()) {}
 
   constexpr E value() const { return value_; }
   template <class U>
