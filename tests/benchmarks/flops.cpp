@@ -29,6 +29,18 @@ inline constexpr bool calls_functions = false;
 template <template <class, class> class S>
 inline constexpr bool calls_functions<OverFunctions<S>> = true;
 
+/// Stages are weighted with numbers of the scalar's element, which a double-double of counting numbers does not mix with.
+template <class Family>
+inline constexpr bool weighs_stages = false;
+template <template <class> class System>
+inline constexpr bool weighs_stages<ImplicitRungeKuttaOf<System>> = true;
+template <template <class> class System, class Method>
+inline constexpr bool weighs_stages<WithData<ExplicitRungeKutta, System, Method>> = true;
+
+template <class T, class Family>
+inline constexpr bool is_counted = (OwnElementary<T> || !calls_functions<Family>)&&(std::same_as<Leading<T>, T> ||
+                                                                                    !weighs_stages<Family>);
+
 /// Calls use(std::type_identity<S>, make) for the kernel's stepper over T.
 template <class T, class Use>
 void with_stepper(Kernel const& kernel, Use use) {
@@ -36,7 +48,7 @@ void with_stepper(Kernel const& kernel, Use use) {
   request.special_functions = kernel.cell.special_functions;
   request.coefficients = kernel.cell.coefficients;
   auto const visit = [&]<class Family>(Family const& family, MethodText const& text) {
-    if constexpr (OwnElementary<T> || !calls_functions<Family>)
+    if constexpr (is_counted<T, Family>)
       if (text.name == kernel.cell.method && text.system == kernel.cell.system) family.template choose<T>(request, use);
   };
 #define BROUWER_VISIT(family) families::family::for_each_method(visit);

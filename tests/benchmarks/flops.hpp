@@ -11,7 +11,7 @@ struct StepCost {
 };
 
 /// Counted by running the kernel's stepper over Counting numbers from the same starts; nothing for long double, for
-/// arithmetic in software and for elliptic functions of other libraries.
+/// arithmetic in software, for elliptic functions of other libraries and for Runge-Kutta methods in double-double.
 std::optional<StepCost> count_step(Catalogue const& catalogue, Kernel const& kernel);
 
 }  // namespace brouwer::benchmarks

@@ -74,7 +74,6 @@ TYPED_TEST(EverySystem, AndItsDescriptionAgreeOnCounts) {
   std::size_t const size = components_of(this->template random_case<double>().state).size();
   EXPECT_EQ(d.count(Quantity::Kind::integral), static_cast<std::size_t>(S::first_integral_count));
   EXPECT_EQ(d.count(Quantity::Kind::state), static_cast<std::size_t>(S::state_error_count));
-  EXPECT_EQ(d.count(Quantity::Kind::iterations), 1U);
   EXPECT_EQ(d.state_components.size(), size);
   EXPECT_LE(d.always_integrated, size);
   EXPECT_LT(std::max(d.plane[0], d.plane[1]), size);

@@ -38,7 +38,7 @@ class Kepler {
   Part force(Part const& q) const {
     using math::sqrt;
     T const r2 = q[0] * q[0] + q[1] * q[1], r = sqrt(r2);
-    T const factor = select(r > collision_distance_, T(T(-1) / (r2 * r)), std::numeric_limits<T>::quiet_NaN());
+    T const factor = select(r > collision_distance_, T(T(-1) / (r2 * r)), T(std::numeric_limits<T>::quiet_NaN()));
     return {factor * q[0], factor * q[1]};
   }
 
