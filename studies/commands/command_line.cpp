@@ -206,7 +206,8 @@ void CommandLine::add_integrate() {
   add_override(*app, overrides, "--arithmetic", "integrate.arithmetic", "double, float128, mpfr-256 …");
   add_override(*app, overrides, "--compensation", "integrate.compensation", "true or false");
   add_override(*app, overrides, "--special-functions", "integrate.special_functions", "own, gsl or boost");
-  add_override(*app, overrides, "--coefficients", "integrate.coefficients", "per-step or per-trajectory");
+  add_override(*app, overrides, "--coefficients", "integrate.coefficients",
+               "per-step, per-trajectory; standard, split, symplectic");
   add_override(*app, overrides, "--step", "integrate.step", "step size h");
   add_override(*app, overrides, "--steps", "integrate.steps", "how many steps");
   add_override(*app, overrides, "--until", "integrate.until", "how long, in the system's unit of time");

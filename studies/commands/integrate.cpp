@@ -62,9 +62,8 @@ class Tracer {
 
   void line(Trajectories const& trajectory, std::int64_t steps) {
     trajectory.state(0, state_);
-    if (!std::all_of(state_.begin(), state_.end(), [](Widest const& x) { return isfinite(x); }))
-      throw RunError(
-          fmt::format("the state is no longer finite at step {}: is the step too large for this method?", steps));
+    if (auto const failure = trajectory.failure(0))
+      throw RunError(fmt::format("there is no state after step {}: {}", failure->step, in_words(failure->reason)));
     trajectory.first_integrals(0, integrals_);
     std::string text = written(Widest(step_) * steps);
     for (auto const* values : {&state_, &integrals_})

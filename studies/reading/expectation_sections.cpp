@@ -40,7 +40,9 @@ std::vector<std::string> or_none(std::vector<std::string> levels) {
 void read_step(Section& where, Selector& selector) {
   toml::node const* node = where.find("step");
   if (!node || !node->is_table()) {
-    selector.step = where.value("step", positive());
+    Kind<double> one = positive();
+    one.expected += ", or { from = …, to = … }";
+    selector.step = where.value("step", one);
     return;
   }
   Section range = where.section("step");

@@ -1,3 +1,8 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <brouwer/error.hpp>
+
 #include "studies/reading/limits.hpp"
 #include "studies/reading/names.hpp"
 #include "studies/reading/study_sections.hpp"
@@ -8,6 +13,19 @@ namespace {
 template <class T>
 std::vector<T> or_else(std::vector<T> levels, std::vector<T> standard) {
   return levels.empty() ? standard : levels;
+}
+
+/// A method of the system; for one of others it is said of which.
+Kind<std::string> method_of(Catalogue const& catalogue, std::string const& system) {
+  auto kind = one_of("method", method_names(catalogue, system));
+  return {kind.expected, [&catalogue, system, own = kind.read](toml::node const& node) {
+            auto const word = node.value<std::string>().value_or("");
+            std::vector<std::string> others;
+            for (auto const& method : catalogue.methods)
+              if (method.name == word) others.push_back(method.system);
+            if (others.empty() || std::find(others.begin(), others.end(), system) != others.end()) return own(node);
+            throw InputError(fmt::format("'{}' is a method of {}, not of {}", word, fmt::join(others, ", "), system));
+          }};
 }
 
 /// steps or until: one of them.
@@ -26,7 +44,7 @@ void read_integrate(Section& root, Catalogue const& catalogue, Study& study) {
   Section integrate = root.section("integrate");
   if (!integrate.has("methods")) integrate.complain("'integrate.methods' is missing, expected at least one method");
   if (!integrate.has("step")) integrate.complain("'integrate.step' is missing, expected at least one step size");
-  study.methods = integrate.levels("methods", one_of("method", method_names(catalogue, study.system)));
+  study.methods = integrate.levels("methods", method_of(catalogue, study.system));
   study.arithmetics = or_else(integrate.levels("arithmetic", one_of("arithmetic", names_of(catalogue.arithmetics))),
                               {std::string("double")});
   study.special_functions = or_else(

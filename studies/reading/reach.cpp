@@ -9,10 +9,14 @@
 namespace brouwer {
 namespace {
 
+bool contains(std::vector<std::string> const& names, std::string const& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 bool observed(std::string const& name, Study const& study, Catalogue const& catalogue) {
   return std::any_of(study.quantities.begin(), study.quantities.end(), [&](std::string const& quantity) {
     auto const& components = catalogue.quantity(study.system, quantity).components;
-    return quantity == name || std::find(components.begin(), components.end(), name) != components.end();
+    return quantity == name || contains(components, name);
   });
 }
 
@@ -53,6 +57,27 @@ std::size_t longest_sweep(Selector const& where, std::vector<CellLabels> const& 
   return most;
 }
 
+/// Of a quantity or a component.
+Quantity const& quantity_of(std::string const& name, Study const& study, Catalogue const& catalogue) {
+  for (auto const& quantity : catalogue.system(study.system).quantities)
+    if (quantity.name == name || contains(quantity.components, name)) return quantity;
+  return catalogue.quantity(study.system, name);
+}
+
+/// A count has a mean, and no law of growth; and only some methods have one.
+std::optional<std::string> asked_of_a_count(Expectation const& e, Study const& study, Catalogue const& catalogue,
+                                            std::vector<CellLabels> const& cells) {
+  if (quantity_of(e.of, study, catalogue).kind != Quantity::Kind::iterations) return std::nullopt;
+  bool const law = e.drift != Expectation::DriftWanted::unsaid || e.growth || e.step_exponent || e.persistence;
+  if (law || !e.verdict.empty())
+    return fmt::format("'{}' is a count, which has no drift and no law of growth; expected mean or rms", e.of);
+  bool const counted = std::any_of(cells.begin(), cells.end(), [&](CellLabels const& cell) {
+    return e.where.matches(cell) && catalogue.method(cell.system, cell.method).counts_iterations;
+  });
+  if (!counted) return fmt::format("no method that 'where' selects counts '{}'", e.of);
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> out_of_reach(Expectation const& expectation, Study const& study, Catalogue const& catalogue,
@@ -63,6 +88,9 @@ std::optional<std::string> out_of_reach(Expectation const& expectation, Study co
   if (auto no = level_not_run(expectation.where, cells)) return fmt::format("where.{}", *no);
   std::size_t const sweep = longest_sweep(expectation.where, cells);
   if (sweep == 0) return "'where' matches no combination of levels that this study runs";
+  if (auto no = asked_of_a_count(expectation, study, catalogue, cells)) return no;
+  if (expectation.rms_final && expectation.rms_final->high <= 0)
+    return "rms is never below 0, expected [low, high] with high > 0";
   if (expectation.step_exponent && sweep < 3)
     return fmt::format("step_exponent needs at least three step sizes, this study runs {} there", sweep);
   return std::nullopt;

@@ -118,7 +118,7 @@ TEST(Failures, AreInTheRecordAndNoSampleAfterThemIsANumber) {
   int failed = 0;
   for (std::size_t i = 0; i < 16; ++i) {
     bool const fails = record.failed_at[i] >= 0;
-    EXPECT_EQ(record.failure[i], fails ? "the stages of a step diverged" : "");
+    EXPECT_EQ(record.failure[i], fails ? "a step diverged" : "");
     for (std::size_t j = 0; j < 6; ++j) {
       bool const before = !fails || record.sample_steps[j] <= record.failed_at[i];
       EXPECT_EQ(std::isfinite(record.series[0].errors[i * 6 + j]), before) << i << ' ' << j;
@@ -127,6 +127,33 @@ TEST(Failures, AreInTheRecordAndNoSampleAfterThemIsANumber) {
   }
   EXPECT_GT(failed, 2);
   EXPECT_LT(failed, 14);
+}
+
+TEST(Failures, OfAReferenceCostWhatIsComparedWithItAlone) {
+  auto all = catalogue();
+  auto& verlet = all.method("double_well", "stoermer-verlet");
+  auto const makers = verlet.makers;
+  verlet.makers = {{InstructionSet::none, [makers](TrajectoryRequest request) -> std::unique_ptr<Trajectories> {
+                      if (request.arithmetic == "float128") request.starts[1].state[0] = NAN;
+                      for (auto const& maker : makers)
+                        if (maker.set == InstructionSet::none)
+                          if (auto made = maker.begin(request)) return made;
+                      return nullptr;
+                    }}};
+  auto study = study_of_wells();
+  study.methods = {"stoermer-verlet"};
+  study.perturb = {{"position", {Perturbation::Law::uniform, 0.1}}};
+  study.quantities = {"energy", "phase"};
+  study.reference = {Reference::Kind::same_method, "float128", 4};
+  auto const plan = make_plan(study, all);
+  Progress progress;
+  auto const record = compute_unit(study, all, plan, plan.units.front(), "hash", progress, nullptr).record;
+  EXPECT_TRUE(std::isfinite(record.series[0].errors[6 + 5])) << "the member's own energy";
+  EXPECT_TRUE(std::isnan(record.series[1].errors[6 + 5])) << "its phase against the reference";
+  EXPECT_TRUE(std::isfinite(record.series[1].errors[5]));
+  EXPECT_EQ(record.failed_at[1], -1);
+  EXPECT_THAT(record.failure[1], testing::StartsWith("its reference failed after step 0"));
+  EXPECT_EQ(record.failure[0], "");
 }
 
 TEST(States, AreKeptWhereAStudyAsksForThem) {

@@ -196,7 +196,7 @@ Bad const bad_studies[] = {
     {"NoMethods", "methods = [\"elliptic-naive\", \"dmv-2\"]", "", "'integrate.methods' is missing"},
     {"UnknownMethod", "\"elliptic-naive\", \"dmv-2\"", "\"eliptic-naive\"",
      "drift.toml:6: integrate.methods: there is no method 'eliptic-naive'; did you mean 'elliptic-naive'?"},
-    {"MethodOfAnotherSystem", "\"dmv-2\"]", "\"leapfrog\"]", "there is no method 'leapfrog'"},
+    {"MethodOfAnotherSystem", "\"dmv-2\"]", "\"leapfrog\"]", "'leapfrog' is a method of pendulum, not of rigid_body"},
     {"MethodTwice", "\"dmv-2\"]", "\"dmv-2\", \"dmv-2\"]", "integrate.methods has 'dmv-2' twice"},
     {"MethodsEmpty", "[\"elliptic-naive\", \"dmv-2\"]", "[]", "integrate.methods is empty, expected at least one"},
     {"MethodIsNumber", "[\"elliptic-naive\", \"dmv-2\"]", "2", "integrate.methods = 2, expected a name in quotes"},

@@ -170,6 +170,7 @@ class UnitWork {
       put_state(trajectories, i, record.states.begin() + std::ptrdiff_t((i * samples_.size() + sample) * size));
   }
 
+  /// A failed reference is no failure of the member: it costs what was compared with it.
   void put_failures(Trajectories const& trajectories, UnitRecord& record) const {
     record.failed_at.assign(trajectories.members(), -1);
     record.failure.assign(trajectories.members(), "");
@@ -178,10 +179,7 @@ class UnitWork {
         record.failed_at[i] = own->step;
         record.failure[i] = in_words(own->reason);
       } else if (auto const its = comparison_ && i < comparison_->members() ? comparison_->failure(i) : std::nullopt) {
-        record.failed_at[i] = its->step;
-        record.failure[i] = fmt::format("its reference failed: {}", in_words(its->reason));
-      } else if (observer_.failed(i)) {
-        record.failure[i] = "an error was no number";
+        record.failure[i] = fmt::format("its reference failed after step {} ({})", its->step, in_words(its->reason));
       }
   }
 

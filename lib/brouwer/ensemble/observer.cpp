@@ -38,7 +38,7 @@ std::int64_t Observer::Members::of(Quantity::Kind kind) const {
 
 Observer::Observer(SystemDescription const& system, std::vector<std::string> const& quantities, Members const& members,
                    std::size_t samples)
-    : samples_(samples), failed_(static_cast<std::size_t>(members.all)) {
+    : samples_(samples), failed_(static_cast<std::size_t>(members.all)), comparison_failed_(failed_) {
   integrals_ = add_series(system, quantities, members, Quantity::Kind::integral);
   states_ = add_series(system, quantities, members, Quantity::Kind::state);
   rounding_ = add_series(system, quantities, members, Quantity::Kind::rounding);
@@ -70,31 +70,34 @@ void Observer::observe(Trajectories const& trajectories, std::size_t sample, std
   integral_errors_.resize(trajectories.members() * integrals_.count);
   trajectories.first_integral_errors(integral_errors_);
   for (std::size_t member = 0; member < trajectories.members(); ++member)
-    store(integrals_, std::span(integral_errors_).subspan(member * integrals_.count, integrals_.count), member, sample);
+    store(integrals_, std::span(integral_errors_).subspan(member * integrals_.count, integrals_.count), member, sample,
+          failed_);
   if (iterations_.places.empty() || series_[iterations_.first].members == 0) return;
   for (std::size_t member = 0; member < trajectories.members(); ++member) {
     double const per_step = trajectories.iterations(member) / static_cast<double>(steps);
-    store(iterations_, std::span(&per_step, 1), member, sample);
+    store(iterations_, std::span(&per_step, 1), member, sample, failed_);
   }
 }
 
 void Observer::observe_state(Trajectories const& trajectories, std::size_t member, std::span<Widest const> reference,
                              std::size_t sample) {
+  if (failed_[member]) comparison_failed_[member] = true;
   if (!states_.places.empty()) {
     trajectories.state_errors(member, reference, state_errors_);
-    store(states_, state_errors_, member, sample);
+    store(states_, state_errors_, member, sample, comparison_failed_);
   }
   if (!rounding_.places.empty()) {
     trajectories.rounding_errors(member, reference, rounding_errors_);
-    store(rounding_, rounding_errors_, member, sample);
+    store(rounding_, rounding_errors_, member, sample, comparison_failed_);
   }
 }
 
-void Observer::store(Group const& group, std::span<double const> errors, std::size_t member, std::size_t sample) {
-  if (failed_[member]) return;
+void Observer::store(Group const& group, std::span<double const> errors, std::size_t member, std::size_t sample,
+                     std::vector<bool>& failed) {
+  if (failed[member]) return;
   for (std::size_t i = 0; i < group.places.size(); ++i) {
     double const error = errors[group.places[i]];
-    if (!std::isfinite(error)) failed_[member] = true;
+    if (!std::isfinite(error)) failed[member] = true;
     series_[group.first + i].errors[member * samples_ + sample] =
         std::isfinite(error) ? error : std::numeric_limits<double>::quiet_NaN();
   }

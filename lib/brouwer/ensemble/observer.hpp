@@ -31,9 +31,6 @@ class Observer {
   void observe_state(Trajectories const& trajectories, std::size_t member, std::span<Widest const> reference,
                      std::size_t sample);
 
-  /// Has an error of this member been no number?
-  bool failed(std::size_t member) const { return failed_[member]; }
-
   std::vector<Series> take_series() { return std::move(series_); }
 
  private:
@@ -45,7 +42,9 @@ class Observer {
   };
   Group add_series(SystemDescription const& system, std::vector<std::string> const& quantities, Members const& members,
                    Quantity::Kind kind);
-  void store(Group const& group, std::span<double const> errors, std::size_t member, std::size_t sample);
+  /// Nothing where `failed` has the member, which it gets where an error is not finite.
+  void store(Group const& group, std::span<double const> errors, std::size_t member, std::size_t sample,
+             std::vector<bool>& failed);
 
   std::size_t samples_;
   bool needs_whole_state_ = false;
@@ -53,7 +52,7 @@ class Observer {
   Group integrals_, states_, rounding_, iterations_;
   std::vector<double> integral_errors_;                 // of all members
   std::vector<double> state_errors_, rounding_errors_;  // of one
-  std::vector<bool> failed_;
+  std::vector<bool> failed_, comparison_failed_;        // by itself; against the reference, or by itself
 };
 
 }  // namespace brouwer

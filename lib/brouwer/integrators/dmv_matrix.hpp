@@ -31,6 +31,9 @@ requires(lanes<T> == 1) class DmvMatrix {
   using State = RigidBodyState<T>;
   static constexpr int order = 2;
 
+  /// There is no solution where a step turns the body by more than a right angle.
+  static Failure failure(State const&, int) { return Failure::step_too_large; }
+
   explicit DmvMatrix(Setup<System> const& setup) : h_(setup.step), attitude_(setup.whole_state) {
     using W = Wider<T>;
     auto const I = setup.system.template in<W>().inertia();

@@ -19,8 +19,7 @@ void count(std::vector<Failures>& failures, Fate const& fate) {
 std::vector<Fate> fates_of(UnitRecord const& header, std::int64_t members) {
   std::vector<Fate> fates(static_cast<std::size_t>(members));
   auto const recorded = std::min(fates.size(), header.failed_at.size());
-  for (std::size_t i = 0; i < recorded; ++i)
-    if (header.failed_at[i] >= 0) fates[i] = {header.failed_at[i], header.failure[i]};
+  for (std::size_t i = 0; i < recorded; ++i) fates[i] = {header.failed_at[i], header.failure[i]};
   return fates;
 }
 

@@ -60,9 +60,11 @@ struct UnitRecord {
 
   std::vector<std::int64_t> failed_at;  ///< [member]: the step at which it had no next state, or −1; empty in units
                                         ///< from before this was recorded
-  std::vector<std::string> failure;     ///< [member]: why, in words ("the iteration did not converge"); "" where none
-  std::vector<double> states;           ///< [member][sample][state_names], rounded to double, for pictures of phase
-                                        ///< space; empty unless the study asked for it
+  std::vector<std::string>
+      failure;  ///< [member]: why, in words ("the iteration did not converge"); "" where none. With failed_at = −1: what
+                ///< became of its comparison with the reference
+  std::vector<double> states;  ///< [member][sample][state_names], rounded to double, for pictures of phase
+                               ///< space; empty unless the study asked for it
 };
 
 }  // namespace brouwer

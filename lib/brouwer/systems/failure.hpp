@@ -9,7 +9,7 @@ enum class Failure {
   none,
   not_finite,      ///< a number overflowed, and nobody knows more
   no_convergence,  ///< an iteration came to no end
-  diverged,        ///< the stages of a step grew beyond all bounds
+  diverged,        ///< a step, or one of its stages, grew beyond all bounds
   step_too_large,  ///< the method does not exist for this step and start
   collision,       ///< bodies met
 };
@@ -24,7 +24,7 @@ constexpr char const* in_words(Failure failure) {
     case Failure::no_convergence:
       return "the iteration did not converge";
     case Failure::diverged:
-      return "the stages of a step diverged";
+      return "a step diverged";
     case Failure::step_too_large:
       return "the step is too large for the method";
     case Failure::collision:
