@@ -112,7 +112,7 @@ Figures draw_all(Findings const& findings, Catalogue const& catalogue, std::file
   auto figures = draw_figures(findings.rows(), findings.final_errors(), folder, format, findings.cpu_seconds());
   auto const clouds = draw_clouds(findings.orbits(), folder, plane ? plane : usual_plane(findings, catalogue), format);
   figures.files.insert(figures.files.end(), clouds.files.begin(), clouds.files.end());
-  if (figures.note.empty()) figures.note = clouds.note;
+  figures.note = joined_notes(figures.note, clouds.note);
   return figures;
 }
 

@@ -89,6 +89,17 @@ TEST(CloudFilm, OfManyMembersShowsSomeAndSaysSo) {
   EXPECT_THAT(film.subtitle, HasSubstr("600 of 1500 members; colour: q at the start"));
 }
 
+TEST(CloudFilm, OfManyCellsShowsTheFirstAndSaysSo) {
+  std::vector<Orbits> cells;
+  for (int i = 0; i < 58; ++i) cells.push_back(rotation("m" + std::to_string(i), 2, 1));
+  auto const film = film_of(cells, {});
+  ASSERT_EQ(film.cells.size(), most_cells);
+  EXPECT_EQ(film.cells.back().title, "m11");
+  EXPECT_THAT(film.subtitle, HasSubstr("2 members, the first 12 of 58 cells; colour"));
+  cells.resize(most_cells);
+  EXPECT_THAT(film_of(cells, {}).subtitle, testing::Not(HasSubstr("cells")));
+}
+
 TEST(CloudFilm, ColoursMembersByTheOrderOfTheirStart) {
   auto const film = film_of({rotation("a", 3, 1)}, {});  // q = 1, −1/2, −1/2
   std::istringstream lines(film.data);
@@ -141,6 +152,33 @@ TEST_F(CloudFigure, IsAnAnimationAndAStill) {
   EXPECT_THAT(content("cloud.gif"), HasSubstr("NETSCAPE2.0")) << "it is to run again and again";
   EXPECT_THAT(content("cloud-still.svg"), HasSubstr("t = 0.5"));
   for (auto const* name : {"cloud.gp", "cloud.dat", "cloud-still.gp"}) EXPECT_TRUE(fs::exists(folder / name)) << name;
+}
+
+TEST_F(CloudFigure, OfManyCellsIsDrawnAndTheNoteSaysOfWhich) {
+  std::vector<Orbits> cells;
+  for (int i = 0; i < 58; ++i) cells.push_back(rotation("m" + std::to_string(i), 2, 1));
+  auto const figures = draw_clouds(cells, folder);
+  EXPECT_THAT(figures.note, testing::StartsWith("cloud: the first 12 of 58 cells"));
+  if (!have_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
+  EXPECT_EQ(figures.note, "cloud: the first 12 of 58 cells");
+  for (auto const& file : figures.files) EXPECT_GT(fs::file_size(file), 1000u) << file;
+  EXPECT_EQ(figures.files.size(), 2u);
+}
+
+TEST_F(CloudFigure, ThatGnuplotFailsOnLeavesNoFile) {
+  if (!have_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
+  fs::create_directories(folder);
+  Figures figures;
+  std::string const begun = "set terminal svg\nset output 'x.svg'\nplot x\n";
+  draw_script(folder, "x", "svg", begun + "nonsense\n", figures);
+  EXPECT_THAT(figures.note, HasSubstr("gnuplot failed on x.gp"));
+  draw_script(folder, "y", "svg", "set terminal svg\nset output 'y.svg'\n", figures);
+  EXPECT_THAT(figures.note, HasSubstr("gnuplot failed on y.gp"));
+  EXPECT_TRUE(figures.files.empty());
+  for (auto const* name : {"x.svg", "y.svg"}) EXPECT_FALSE(fs::exists(folder / name)) << name;
+  for (auto const* name : {"x.gp", "y.gp"}) EXPECT_TRUE(fs::exists(folder / name)) << name;
+  draw_script(folder, "x", "svg", begun, figures);
+  EXPECT_EQ(figures.files.size(), 1u);
 }
 
 TEST_F(CloudFigure, TakesAnyNameAsWordsAndRunsNoneOfThem) {
