@@ -77,14 +77,23 @@ bool holds(Interval range, double x) { return range.low <= x && x <= range.high;
 
 std::size_t unseen(CloudFilm const& film, CloudPoints const& points, std::size_t time) {
   return static_cast<std::size_t>(std::count_if(points.members.begin(), points.members.end(), [&](auto member) {
-    return !holds(film.x_range, points.px(member, time)) || !holds(film.y_range, points.py(member, time));
+    bool const inside = holds(film.x_range, points.px(member, time)) && holds(film.y_range, points.py(member, time));
+    return !inside && !points.ended(member, time);
   }));
+}
+
+std::size_t ended(CloudPoints const& points, std::size_t time) {
+  return static_cast<std::size_t>(std::count_if(points.members.begin(), points.members.end(),
+                                                [&](auto member) { return points.ended(member, time); }));
 }
 
 CloudFilm::Cell cell_of(CloudFilm const& film, CloudPoints const& points, std::string const& title) {
   auto const shown = samples_shown(film, *points.of);
-  CloudFilm::Cell cell{title, times_in_words(*points.of, shown), {}, points.members.size()};
-  for (auto const sample : shown) cell.unseen.push_back(unseen(film, points, sample));
+  CloudFilm::Cell cell{title, times_in_words(*points.of, shown), {}, {}, points.members.size()};
+  for (auto const sample : shown) {
+    cell.unseen.push_back(unseen(film, points, sample));
+    cell.ended.push_back(ended(points, sample));
+  }
   return cell;
 }
 

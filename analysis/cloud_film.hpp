@@ -12,7 +12,8 @@ struct CloudFilm {
   struct Cell {
     std::string title;                ///< what tells it from the others; "" where there is one only
     std::vector<std::string> times;   ///< of the frames, "12.5", in the system's unit
-    std::vector<std::size_t> unseen;  ///< in each frame, how many points are outside the axes, or failed
+    std::vector<std::size_t> unseen;  ///< in each frame, how many points are outside the axes
+    std::vector<std::size_t> ended;   ///< in each frame, how many members have failed by then
     std::size_t points = 0;
   };
   std::string x, y, subtitle;

@@ -75,11 +75,53 @@ TEST(CloudFilm, DoesNotFollowACloudThatRunsAway) {
   EXPECT_EQ(film.cells[1].unseen.back(), 64u);
 }
 
-TEST(CloudFilm, CountsMembersThatFailedAsUnseen) {
+/// Member 2 leaves the circle, ever faster.
+Orbits with_one_gone(Orbits cell) {
+  for (std::size_t j = 1; j < cell.times.size(); ++j)
+    for (std::size_t c = 0; c < 3; ++c)
+      cell.states[(2 * cell.times.size() + j) * 3 + c] = std::pow(1e15, static_cast<double>(j));
+  return cell;
+}
+
+TEST(CloudFilm, DoesNotFollowAMemberThatLeavesItsCloud) {
+  auto const a = with_one_gone(rotation("a", 8, 20)), b = with_one_gone(rotation("b", 8, 20));
+  for (auto const& film : {film_of({a}, {}), film_of({a, b}, {}), film_of({with_one_gone(rotation("c", 3, 20))}, {})}) {
+    EXPECT_LT(film.x_range.high, 2);
+    EXPECT_GT(film.x_range.low, -1.5);
+    for (auto const& cell : film.cells) {
+      EXPECT_EQ(cell.unseen.front(), 0u);
+      EXPECT_EQ(cell.unseen.back(), 1u);
+      EXPECT_EQ(cell.ended.back(), 0u);
+    }
+  }
+}
+
+TEST(CloudFilm, JudgesByThoseThatCameThrough) {
+  auto cell = rotation("a", 8, 20);
+  for (std::size_t i = 3; i < 8; ++i)  // five of eight run away, and fail
+    for (std::size_t j = 10; j < 21; ++j)
+      for (std::size_t c = 0; c < 3; ++c) cell.states[(i * 21 + j) * 3 + c] = j < 20 ? 1e200 : std::nan("");
+  auto const film = film_of({cell}, {});
+  EXPECT_LT(film.x_range.high, 2);
+  EXPECT_EQ(film.cells[0].unseen[19], 5u);
+  EXPECT_EQ(film.cells[0].unseen.back(), 0u);
+  EXPECT_EQ(film.cells[0].ended.back(), 5u);
+}
+
+TEST(CloudFilm, ShowsTheStartOfEveryMember) {
+  auto cell = rotation("a", 8, 20);
+  for (std::size_t j = 0; j < 21; ++j) cell.states[(2 * 21 + j) * 3] += 40;
+  auto const film = film_of({cell}, {});
+  EXPECT_GT(film.x_range.high, 40);
+  EXPECT_EQ(film.cells[0].unseen.front(), 0u);
+}
+
+TEST(CloudFilm, CountsMembersThatFailedAsEnded) {
   auto cell = rotation("a", 8, 4);
   for (std::size_t j = 3; j < 5; ++j) cell.states[(2 * 5 + j) * 3] = std::nan("");
   auto const film = film_of({cell}, {});
-  EXPECT_THAT(film.cells[0].unseen, ElementsAre(0, 0, 0, 1, 1));
+  EXPECT_THAT(film.cells[0].ended, ElementsAre(0, 0, 0, 1, 1));
+  EXPECT_THAT(film.cells[0].unseen, ElementsAre(0, 0, 0, 0, 0));
   EXPECT_THAT(film.data, HasSubstr("NaN "));
 }
 
@@ -152,6 +194,16 @@ TEST_F(CloudFigure, IsAnAnimationAndAStill) {
   EXPECT_THAT(content("cloud.gif"), HasSubstr("NETSCAPE2.0")) << "it is to run again and again";
   EXPECT_THAT(content("cloud-still.svg"), HasSubstr("t = 0.5"));
   for (auto const* name : {"cloud.gp", "cloud.dat", "cloud-still.gp"}) EXPECT_TRUE(fs::exists(folder / name)) << name;
+}
+
+TEST_F(CloudFigure, SaysHowManyAreOutOfSightAndHowManyEnded) {
+  if (!have_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
+  auto cell = with_one_gone(rotation("a", 8, 2));
+  cell.states[(4 * 3 + 2) * 3] = std::nan("");
+  draw_clouds({cell}, folder);
+  auto const still = content("cloud-still.svg");
+  EXPECT_THAT(still, HasSubstr(">1 of 8 out of sight<"));
+  EXPECT_THAT(still, HasSubstr(">1 of 8 out of sight, 1 of 8 ended<"));
 }
 
 TEST_F(CloudFigure, OfManyCellsIsDrawnAndTheNoteSaysOfWhich) {
