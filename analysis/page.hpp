@@ -21,7 +21,8 @@ struct PageSection {
   std::vector<Outcome> outcomes;
   std::vector<std::string> unjudged;  ///< expectations that options put out of reach, a sentence each
   std::vector<PageFigure> figures;
-  std::string note;  ///< why there are no figures
+  std::string note;        ///< why there are no figures
+  std::string unfinished;  ///< "unfinished: 900 of 4200 members in 14 cells"; said before anything that was found
 };
 
 /// One Markdown page of several studies: first a table of them (question, how many expectations hold), then a section

@@ -27,6 +27,9 @@ class Findings {
   /// Of each cell, where its members were; without members where the study did not ask for states.
   std::vector<Orbits> orbits() const;
 
+  /// "unfinished: 900 of 4200 members in 14 cells"; "" where every planned member is there.
+  std::string unfinished() const;
+
   std::vector<Outcome> check(std::vector<Expectation> const& expectations) const;
 
  private:

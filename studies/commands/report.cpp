@@ -36,6 +36,7 @@ void write_html(std::filesystem::path const& folder, std::filesystem::path const
   Findings const findings({folder.string()}, levels);
   StudyFile const file = read_stored_study(folder, catalogue);
   ReportContent content = what_was_asked(file, catalogue);
+  content.unfinished = findings.unfinished();
   content.estimates = findings.rows();
   content.outcomes = findings.check(file.expectations);
   content.provenance = read_whole(folder / "provenance.txt");

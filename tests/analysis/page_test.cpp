@@ -81,6 +81,16 @@ TEST(Page, SaysWhyMembersWereLeftOut) {
               HasSubstr("- elliptic-naive, energy: 1 of 65 members is left out because of a collision (at step 17)."));
 }
 
+TEST(Page, SaysAtTheHeadOfASectionThatItIsUnfinished) {
+  auto section = drift_study();
+  section.unfinished = "unfinished: 900 of 4200 members in 14 cells";
+  auto const text = render_page({section}, {});
+  EXPECT_THAT(text, HasSubstr("## Do three constants remove the drift?\n\n"
+                              "**unfinished: 900 of 4200 members in 14 cells**\n\nSource:"));
+  EXPECT_THAT(text, HasSubstr("| **1 of 2 hold**, unfinished |"));
+  EXPECT_THAT(page(), Not(HasSubstr("unfinished")));
+}
+
 TEST(Page, EndsWithThePrograms) {
   EXPECT_THAT(page(), testing::EndsWith("---\n\nComputed with brouwer 0.1.0, g++ 12.2.0.\n"));
   EXPECT_EQ(page(), page());
@@ -89,7 +99,7 @@ TEST(Page, EndsWithThePrograms) {
 TEST(Page, HasEqualCellsInEveryRowOfATableWhateverNamesSay) {
   auto section = drift_study();
   std::string const evil = "a|b`c\n<script>\\[x](y)";
-  section.name = section.question = section.source = section.note = evil;
+  section.name = section.question = section.source = section.note = section.unfinished = evil;
   for (auto& e : section.estimates) e.quantity = e.cell.method = evil;
   section.outcomes = {{false, evil, evil}};
   section.unjudged = {evil};
