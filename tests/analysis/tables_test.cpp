@@ -135,6 +135,18 @@ TEST(TextTable, MentionsMembersThatWereLeftOut) {
               HasSubstr("elliptic-naive, energy: 3 of 67 members were left out"));
 }
 
+TEST(TextTable, SpeaksOfTheMembersThatWereRun) {
+  auto rows = two_methods();
+  for (auto& row : rows) row.members = 39, row.failed = 61;
+  EXPECT_THAT(lines_of(render_table(rows, TableFormat::text))[0], HasSubstr("20000 steps, 39 of 100 members, error"));
+  rows[1].members = 100, rows[1].failed = 0;
+  auto const text = render_table(rows, TableFormat::text);
+  EXPECT_THAT(lines_of(text)[0], HasSubstr("20000 steps, 100 members, error"));
+  EXPECT_THAT(text, HasSubstr(" 39 of 100 "));
+  rows[1].members = 50;
+  EXPECT_THAT(lines_of(render_table(rows, TableFormat::text))[0], testing::Not(HasSubstr("members,")));
+}
+
 TEST(EveryTableForPeople, SaysWhyMembersWereLeftOut) {
   auto rows = two_methods();
   rows[0].failed = 3;
