@@ -5,7 +5,9 @@
 #include <brouwer/error.hpp>
 #include <brouwer/store/whole_file.hpp>
 
+#include "analysis/cloud_points.hpp"
 #include "analysis/cloud_script.hpp"
+#include "analysis/escape.hpp"
 
 namespace brouwer {
 namespace {
@@ -16,6 +18,18 @@ std::string note_of(std::size_t cells) {
 }
 
 }  // namespace
+
+void check_plane(std::vector<Orbits> const& cells, Plane const& plane) {
+  if (plane.x == plane.y)
+    throw InputError(fmt::format("a plane has two different components, not '{}' twice", one_line(plane.x)));
+  bool any = false;
+  for (auto const& cell : cells) {
+    if (cell.members == 0) continue;
+    points_of(cell, plane, 1);
+    any = true;
+  }
+  if (!any) throw InputError("there are no states to show in a plane: run the study with observe.states = true");
+}
 
 Figures draw_clouds(std::vector<Orbits> const& cells, std::filesystem::path const& folder,
                     std::optional<Plane> const& plane, std::string const& format) {

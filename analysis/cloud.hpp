@@ -14,6 +14,10 @@ struct Plane {
   std::string x, y;
 };
 
+/// What a picture in this plane needs. @throws InputError where it shows one component twice, where no cell kept states,
+/// and for a component that the states do not have
+void check_plane(std::vector<Orbits> const& cells, Plane const& plane);
+
 /// Draws the members of each cell as a cloud in phase space: cloud.gif, a frame a sample from the start on (evenly
 /// thinned to at most 120) with the last one held, and cloud-still.FORMAT, the first, the middle and the last frame. A
 /// panel a cell, the same axes in equal scale in all of them; of many cells the first 12, and the note says so. Members are coloured by the order of x at their start, so

@@ -119,8 +119,10 @@ std::optional<Plane> usual_plane(Findings const& findings, Catalogue const& cata
 
 Figures draw_all(Findings const& findings, Catalogue const& catalogue, std::filesystem::path const& folder,
                  std::string const& format, std::optional<Plane> const& plane) {
+  auto const orbits = findings.orbits();
+  if (plane) check_plane(orbits, *plane);
   auto figures = draw_figures(findings.rows(), findings.final_errors(), folder, format, findings.cpu_seconds());
-  auto const clouds = draw_clouds(findings.orbits(), folder, plane ? plane : usual_plane(findings, catalogue), format);
+  auto const clouds = draw_clouds(orbits, folder, plane ? plane : usual_plane(findings, catalogue), format);
   figures.files.insert(figures.files.end(), clouds.files.begin(), clouds.files.end());
   figures.note = joined_notes(figures.note, clouds.note);
   return figures;

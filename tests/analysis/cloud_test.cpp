@@ -163,6 +163,26 @@ TEST(CloudFilm, ShowsThePlaneThatIsAskedFor) {
       ThrowsMessage<InputError>(HasSubstr("no component 'phas'; did you mean 'phase'?")));
 }
 
+TEST(PlaneOfACloud, HasTwoComponentsOfStatesThatWereKept) {
+  auto const with = std::vector{Orbits{}, rotation("a", 8, 4)}, without = std::vector{Orbits{}};
+  EXPECT_NO_THROW(check_plane(with, {"q", "phase"}));
+  EXPECT_THAT(
+      [&] {
+        check_plane(with, {"q", "q"});
+      },
+      ThrowsMessage<InputError>("a plane has two different components, not 'q' twice"));
+  EXPECT_THAT(
+      [&] {
+        check_plane(with, {"q", "phas"});
+      },
+      ThrowsMessage<InputError>(HasSubstr("no component 'phas'; did you mean 'phase'?")));
+  EXPECT_THAT(
+      [&] {
+        check_plane(without, {"foo", "bar"});
+      },
+      ThrowsMessage<InputError>(HasSubstr("no states to show in a plane: run the study with observe.states")));
+}
+
 TEST(CloudFilm, OfPointsThatCoincideStillHasAxes) {
   auto cell = rotation("a", 2, 2);
   std::fill(cell.states.begin(), cell.states.end(), 3.0);
