@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <brouwer/error.hpp>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <set>
 #include <sstream>
@@ -208,6 +208,14 @@ std::string value_of(std::string const& block, std::string const& key) {
 }
 
 }  // namespace
+
+PageFormat page_format(std::filesystem::path const& page) {
+  auto const extension = page.extension();
+  if (extension == ".md") return PageFormat::markdown;
+  if (extension == ".html" || extension == ".htm") return PageFormat::html;
+  throw InputError(
+      fmt::format("{} is to be a page; expected a name that ends in .html, .htm or .md", one_line(page.string())));
+}
 
 std::string render_page(std::vector<PageSection> const& sections, std::vector<std::string> const& programs) {
   auto const places = places_of(sections);

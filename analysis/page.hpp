@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -6,6 +7,11 @@
 #include "analysis/expectation.hpp"
 
 namespace brouwer {
+
+enum class PageFormat { html, markdown };
+
+/// By the end of its name: .html or .htm, .md. @throws InputError for any other
+PageFormat page_format(std::filesystem::path const& page);
 
 struct PageFigure {
   std::string caption;

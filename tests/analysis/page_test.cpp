@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <brouwer/error.hpp>
 #include <sstream>
 
 #include "analysis/main_figures.hpp"
@@ -140,6 +141,15 @@ TEST(Page, TellsStudiesOfOneNameApart) {
 
 TEST(Page, OfNothingIsStillAPage) {
   EXPECT_THAT(render_page({}, {}), HasSubstr("0 studies; 0 of 0 expectations hold"));
+}
+
+TEST(PageFormat, IsReadOffTheName) {
+  EXPECT_EQ(page_format("a/two.md"), PageFormat::markdown);
+  EXPECT_EQ(page_format("two.html"), PageFormat::html);
+  EXPECT_EQ(page_format("two.v1.htm"), PageFormat::html);
+  for (auto const* name : {"two.txt", "two", "html", ".md", "two.md.bak", "two.HTMLX"})
+    EXPECT_THAT([&] { page_format(name); }, testing::ThrowsMessage<InputError>(HasSubstr("ends in .html, .htm or .md")))
+        << name;
 }
 
 TEST(MainFigures, AreThoseOfWhatWasAsked) {
