@@ -129,15 +129,16 @@ std::vector<std::string> legend(Rows const& rows, Notation notation) {
 
 std::string failure(Estimates const& row) { return left_out(row, " were left out, their error is not finite"); }
 
-/// "energy", or "every error" where all that a cell observed lack the same members for the same reasons.
+/// "energy, casimir": what a cell observed that lacks the same members for the same reasons; of all, "every error".
 std::string of_what(Rows const& rows, Estimates const& row) {
-  std::size_t observed = 0, alike = 0;
+  std::size_t observed = 0;
+  std::vector<std::string> alike;
   for (auto const& other : rows)
     if (other.cell == row.cell) {
       ++observed;
-      alike += failure(other) == failure(row);
+      if (failure(other) == failure(row)) alike.push_back(other.quantity);
     }
-  return observed > 1 && alike == observed ? "every error" : row.quantity;
+  return observed > 1 && alike.size() == observed ? "every error" : fmt::format("{}", fmt::join(alike, ", "));
 }
 
 std::vector<std::string> failures(Rows const& rows, Factors const& factors) {

@@ -173,6 +173,21 @@ TEST(EveryTableForPeople, SaysOnceWhatIsTrueOfEveryErrorOfACell) {
   EXPECT_THAT(render_table(rows, TableFormat::text), HasSubstr("elliptic-naive, casimir: 64 of 64"));
 }
 
+TEST(EveryTableForPeople, SaysOnceWhatIsTrueOfSeveralErrorsOfACell) {
+  auto rows = std::vector<Estimates>(5, two_methods()[0]);
+  char const* const names[] = {"energy", "state", "angular-momentum", "phase", "casimir"};
+  std::int64_t const failed[] = {3, 5, 3, 5, 0};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].quantity = names[i];
+    rows[i].failed = failed[i];
+    if (failed[i] > 0) rows[i].failures = {{"collision", failed[i], 17}};
+  }
+  auto const notes = growth_table(rows, CellsAs::columns).notes;
+  ASSERT_EQ(notes.size(), 2u);
+  EXPECT_THAT(notes[0], HasSubstr(", energy, angular-momentum: 3 of 67 members are left out because of a collision"));
+  EXPECT_THAT(notes[1], HasSubstr(", state, phase: 5 of 69 members are left out because of a collision"));
+}
+
 TEST(EveryTable, HasARowOfACountWithoutALaw) {
   Ensemble iterations = simulated({}, 10, {1, 10, 100}, 1ul);
   iterations.quantity = "iterations";
