@@ -5,22 +5,31 @@
 #include <brouwer/error.hpp>
 #include <brouwer/store/whole_file.hpp>
 
+#include "analysis/cloud_points.hpp"
 #include "analysis/cloud_script.hpp"
-#include "analysis/gnuplot.hpp"
+#include "analysis/escape.hpp"
 
 namespace brouwer {
 namespace {
 
-void draw(std::filesystem::path const& folder, std::string const& stem, std::string const& extension,
-          std::string const& script, Figures& figures) {
-  write_whole(folder / (stem + ".gp"), script);
-  if (auto const complaint = gnuplot_complaint(folder, stem + ".gp"))
-    figures.note = fmt::format("{}; the scripts and data of the figures are in {}", *complaint, folder.string());
-  else
-    figures.files.push_back(folder / (stem + "." + extension));
+/// "cloud: the first 12 of 58 cells", or nothing.
+std::string note_of(std::size_t cells) {
+  return cells > most_cells ? fmt::format("cloud: the first {} of {} cells", most_cells, cells) : "";
 }
 
 }  // namespace
+
+void check_plane(std::vector<Orbits> const& cells, Plane const& plane) {
+  if (plane.x == plane.y)
+    throw InputError(fmt::format("a plane has two different components, not '{}' twice", one_line(plane.x)));
+  bool any = false;
+  for (auto const& cell : cells) {
+    if (cell.members == 0) continue;
+    points_of(cell, plane, 1);
+    any = true;
+  }
+  if (!any) throw InputError("there are no states to show in a plane: run the study with observe.states = true");
+}
 
 Figures draw_clouds(std::vector<Orbits> const& cells, std::filesystem::path const& folder,
                     std::optional<Plane> const& plane, std::string const& format) {
@@ -32,8 +41,9 @@ Figures draw_clouds(std::vector<Orbits> const& cells, std::filesystem::path cons
   auto const film = film_of(there, plane);
   make_figure_folder(folder);
   write_whole(folder / "cloud.dat", film.data);
-  draw(folder, "cloud", "gif", moving_script(film), figures);
-  draw(folder, "cloud-still", format, still_script(film, chosen), figures);
+  draw_script(folder, "cloud", "gif", moving_script(film), figures);
+  draw_script(folder, "cloud-still", format, still_script(film, chosen), figures);
+  figures.note = joined_notes(note_of(there.size()), figures.note);
   return figures;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <brouwer/error.hpp>
 
@@ -55,10 +56,14 @@ std::vector<std::string> times_in_words(Orbits const& cell, std::vector<std::siz
 
 // --- words and data -------------------------------------------------------------------------------
 
-std::vector<CellLabels> labels_of(std::vector<Orbits> const& cells) {
+std::vector<CellLabels> labels_of(std::span<Orbits const> cells) {
   std::vector<CellLabels> labels;
   for (auto const& cell : cells) labels.push_back(cell.cell);
   return labels;
+}
+
+std::string cells_in_words(std::size_t shown, std::size_t all) {
+  return shown < all ? fmt::format(", the first {} of {} cells", shown, all) : "";
 }
 
 std::string members_in_words(std::vector<CloudPoints> const& clouds) {
@@ -72,14 +77,23 @@ bool holds(Interval range, double x) { return range.low <= x && x <= range.high;
 
 std::size_t unseen(CloudFilm const& film, CloudPoints const& points, std::size_t time) {
   return static_cast<std::size_t>(std::count_if(points.members.begin(), points.members.end(), [&](auto member) {
-    return !holds(film.x_range, points.px(member, time)) || !holds(film.y_range, points.py(member, time));
+    bool const inside = holds(film.x_range, points.px(member, time)) && holds(film.y_range, points.py(member, time));
+    return !inside && !points.ended(member, time);
   }));
+}
+
+std::size_t ended(CloudPoints const& points, std::size_t time) {
+  return static_cast<std::size_t>(std::count_if(points.members.begin(), points.members.end(),
+                                                [&](auto member) { return points.ended(member, time); }));
 }
 
 CloudFilm::Cell cell_of(CloudFilm const& film, CloudPoints const& points, std::string const& title) {
   auto const shown = samples_shown(film, *points.of);
-  CloudFilm::Cell cell{title, times_in_words(*points.of, shown), {}, points.members.size()};
-  for (auto const sample : shown) cell.unseen.push_back(unseen(film, points, sample));
+  CloudFilm::Cell cell{title, times_in_words(*points.of, shown), {}, {}, points.members.size()};
+  for (auto const sample : shown) {
+    cell.unseen.push_back(unseen(film, points, sample));
+    cell.ended.push_back(ended(points, sample));
+  }
   return cell;
 }
 
@@ -103,8 +117,9 @@ std::string data_of(CloudFilm const& film, std::vector<CloudPoints> const& cloud
 
 }  // namespace
 
-CloudFilm film_of(std::vector<Orbits> const& cells, std::optional<Plane> const& plane) {
+CloudFilm film_of(std::vector<Orbits> const& all, std::optional<Plane> const& plane) {
   CloudFilm film;
+  std::span const cells(all.data(), std::min(all.size(), most_cells));
   auto const [x, y] = plane ? *plane : plane_of(cells.front());
   std::size_t samples = 1;
   std::vector<CloudPoints> clouds;
@@ -122,8 +137,8 @@ CloudFilm film_of(std::vector<Orbits> const& cells, std::optional<Plane> const& 
     film.cells.push_back(cell_of(film, points, cells.size() > 1 ? short_label(points.of->cell, varying) : ""));
   film.x = x;
   film.y = y;
-  film.subtitle = fmt::format("{}{}; colour: {} at the start", describe(labels.front(), constant_factors(labels)),
-                              members_in_words(clouds), x);
+  film.subtitle = fmt::format("{}{}{}; colour: {} at the start", describe(labels.front(), constant_factors(labels)),
+                              members_in_words(clouds), cells_in_words(cells.size(), all.size()), x);
   film.data = data_of(film, clouds);
   return film;
 }

@@ -66,6 +66,7 @@ std::string variables(CloudFilm const& film) {
     text += variable(fmt::format("title{}", c), film.cells[c].title);
     text += variable(fmt::format("times{}", c), fmt::format("{}", fmt::join(film.cells[c].times, " ")));
     text += variable(fmt::format("unseen{}", c), fmt::format("{}", fmt::join(film.cells[c].unseen, " ")));
+    text += variable(fmt::format("ended{}", c), fmt::format("{}", fmt::join(film.cells[c].ended, " ")));
   }
   return text;
 }
@@ -106,10 +107,15 @@ double point_size(CloudFilm const& film, bool smooth) {
   return smooth ? size : 1.4 * size;
 }
 
-/// "12 of 600 out of sight" where points are outside the axes, or have failed.
-std::string unseen_of(CloudFilm const& film, std::size_t cell, std::string const& frame) {
-  auto const number = fmt::format("word(unseen{}, {} + 1)", cell, frame);
-  return fmt::format("({0} eq '0' ? '' : {0}.' of {1} out of sight')", number, film.cells[cell].points);
+/// "12 of 600 out of sight, 3 of 600 ended" where points are outside the axes, or have failed.
+std::string missing_of(CloudFilm const& film, std::size_t cell, std::string const& frame) {
+  auto const unseen = fmt::format("word(unseen{}, {} + 1)", cell, frame);
+  auto const ended = fmt::format("word(ended{}, {} + 1)", cell, frame);
+  auto const part = [&](std::string const& number, char const* what) {
+    return fmt::format("({0} eq '0' ? '' : {0}.' of {1} {2}')", number, film.cells[cell].points, what);
+  };
+  return fmt::format("{}.({} eq '0' || {} eq '0' ? '' : ', ').{}", part(unseen, "out of sight"), unseen, ended,
+                     part(ended, "ended"));
 }
 
 std::string time_of(std::size_t cell, std::string const& frame) {
@@ -129,7 +135,7 @@ std::string panel(CloudFilm const& film, Grid const& g, int column, int row, std
              "screen {}\n",
              g.x(left), g.x(left + g.panel_width), g.y(top), g.y(top - g.panel_height)) +
          label(title, g.x(left), g.y(top + 12), "left " + g.font(12)) +
-         label(unseen_of(film, cell, frame), g.x(left + 8), g.y(top - g.panel_height + 12),
+         label(missing_of(film, cell, frame), g.x(left + 8), g.y(top - g.panel_height + 12),
                "left front " + quiet(g, 11)) +
          label("x_name", g.x(left + g.panel_width / 2), g.y(top - g.panel_height - 34), "center " + g.font(12)) +
          label("y_name", g.x(left - 46), g.y(top - g.panel_height / 2), "center rotate by 90 " + g.font(12)) +

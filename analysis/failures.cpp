@@ -46,4 +46,17 @@ std::string left_out(Estimates const& e, std::string const& unrecorded) {
                      why.empty() ? unrecorded : (e.failed == 1 ? " is left out" : " are left out") + why);
 }
 
+std::string members_in_words(Estimates const& e) {
+  if (e.failed == 0) return fmt::format("{} members", e.members);
+  return fmt::format("{} of {} members", e.members, e.members + e.failed);
+}
+
+bool same_members(Estimates const& a, Estimates const& b) { return a.members == b.members && a.failed == b.failed; }
+
+std::string unfinished_in_words(std::int64_t finished, std::int64_t planned, std::size_t cells) {
+  auto const all = static_cast<std::int64_t>(cells) * planned;
+  if (finished >= all) return "";
+  return fmt::format("unfinished: {} of {} members in {} {}", finished, all, cells, cells == 1 ? "cell" : "cells");
+}
+
 }  // namespace brouwer

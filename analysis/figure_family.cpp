@@ -12,6 +12,7 @@
 
 #include "analysis/escape.hpp"
 #include "analysis/factors.hpp"
+#include "analysis/failures.hpp"
 
 namespace brouwer {
 namespace {
@@ -57,17 +58,20 @@ void choose_colours(Family& family, std::vector<CellLabels> const& cells) {
   }
 }
 
-bool all_have(std::vector<Family::Row> const& rows, std::int64_t members) {
-  return std::all_of(rows.begin(), rows.end(), [&](auto const& row) { return row.estimates->members == members; });
+/// "39 of 100 members"; nothing where rows differ.
+std::string shared_members(std::vector<Family::Row> const& rows) {
+  auto const& first = *rows.front().estimates;
+  bool const alike =
+      std::all_of(rows.begin(), rows.end(), [&](auto const& row) { return same_members(*row.estimates, first); });
+  return alike ? members_in_words(first) : "";
 }
 
 void describe_cells(Family& family, std::vector<CellLabels> const& cells) {
   auto const varying = varying_factors(cells);
   for (auto const& cell : cells) family.cells.push_back(short_label(cell, varying));
   family.shared = describe(cells.front(), constant_factors(cells));
-  auto const members = family.rows.front().estimates->members;
-  if (all_have(family.rows, members))
-    family.shared += fmt::format("{}{} members", family.shared.empty() ? "" : ", ", members);
+  family.members = shared_members(family.rows);
+  if (!family.members.empty()) family.shared += (family.shared.empty() ? "" : ", ") + family.members;
   family.in_steps = std::all_of(cells.begin(), cells.end(), [](auto const& cell) { return cell.steps > 0; });
 }
 

@@ -22,6 +22,7 @@ struct Family {
   std::vector<std::string> components;  ///< {"energy"} or {"spatial-momentum-1", …}
   std::vector<Row> rows;                ///< cell by cell
   std::string shared;                   ///< what all cells have in common, for the subtitle
+  std::string members;                  ///< "64 members" or "39 of 100 members"; "" where cells differ
   bool in_steps = true;                 ///< the unit of time
 
   std::string time_label() const { return in_steps ? "steps" : "time"; }

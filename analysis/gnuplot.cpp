@@ -60,16 +60,24 @@ std::string last_line(std::filesystem::path const& file) {
   return one_line(last);
 }
 
+bool has_content(std::filesystem::path const& file) {
+  std::error_code error;
+  auto const size = std::filesystem::file_size(file, error);
+  return !error && size > 0;
+}
+
 }  // namespace
 
-std::optional<std::string> gnuplot_complaint(std::filesystem::path const& folder, std::string const& script) {
+std::optional<std::string> gnuplot_complaint(std::filesystem::path const& folder, std::string const& script,
+                                             std::string const& figure) {
   std::string const log = script + ".log";
   int const status = exit_status(folder.string(), script, log);
   std::string const said = last_line(folder / log);
   std::error_code ignored;
   std::filesystem::remove(folder / log, ignored);
-  if (status == 0) return std::nullopt;
+  if (status == 0 && has_content(folder / figure)) return std::nullopt;
   if (status == -ENOENT) return "gnuplot is not installed or not on PATH";
+  std::filesystem::remove(folder / figure, ignored);
   return fmt::format("gnuplot failed on {}{}{}", script, said.empty() ? "" : ": ", said);
 }
 

@@ -49,6 +49,25 @@ bool all_equal(Rows const& rows, Member member) {
   return std::all_of(rows.begin(), rows.end(), [&](auto const& row) { return row.*member == rows.front().*member; });
 }
 
+/// As many came through, of as many.
+bool alike_in_members(Rows const& rows) {
+  return std::all_of(rows.begin(), rows.end(), [&](auto const& row) { return same_members(row, rows.front()); });
+}
+
+/// Members of one study, that were run, whoever of them came through; nothing where that varies.
+std::string shared_members(Rows const& rows) {
+  if (alike_in_members(rows)) return members_in_words(rows.front());
+  auto const run = [](Estimates const& e) { return e.members + e.failed; };
+  bool const equal =
+      std::all_of(rows.begin(), rows.end(), [&](auto const& row) { return run(row) == run(rows.front()); });
+  return equal ? fmt::format("{} members", run(rows.front())) : "";
+}
+
+/// "39 of 100" where the others were left out.
+std::string members_in_cell(Estimates const& e) {
+  return e.failed == 0 ? fmt::format("{}", e.members) : fmt::format("{} of {}", e.members, e.members + e.failed);
+}
+
 bool names_quantity(Rows const& rows, CellsAs layout) {
   return layout == CellsAs::groups || !all_equal(rows, &Estimates::quantity);
 }
@@ -56,7 +75,7 @@ bool names_quantity(Rows const& rows, CellsAs layout) {
 std::string shared_words(Rows const& rows, std::vector<CellLabels> const& cells, CellsAs layout) {
   std::string words = describe(cells.front(), constant_factors(cells));
   auto const add = [&](std::string const& more) { words += (words.empty() ? "" : ", ") + more; };
-  if (all_equal(rows, &Estimates::members)) add(fmt::format("{} members", rows.front().members));
+  if (auto const members = shared_members(rows); !members.empty()) add(members);
   if (!names_quantity(rows, layout) && !rows.front().quantity.empty()) add("error of " + rows.front().quantity);
   return words;
 }
@@ -66,7 +85,7 @@ std::vector<GrowthTable::Heading> headings(Rows const& rows, Factors const& fact
   if (layout == CellsAs::columns)
     for (auto const* factor : factors) heads.push_back({factor->name, true});
   if (names_quantity(rows, layout)) heads.push_back({"error of", true});
-  if (!all_equal(rows, &Estimates::members)) heads.push_back({"members", false});
+  if (!alike_in_members(rows)) heads.push_back({"members", false});
   for (auto const& column : columns) heads.push_back({n == Notation::plain ? column.plain : column.latex, column.left});
   return heads;
 }
@@ -77,7 +96,7 @@ std::vector<std::string> words(Estimates const& row, Rows const& rows, Factors c
   if (layout == CellsAs::columns)
     for (auto const* factor : factors) found.push_back(factor->level(row.cell));
   if (names_quantity(rows, layout)) found.push_back(row.quantity);
-  if (!all_equal(rows, &Estimates::members)) found.push_back(fmt::format("{}", row.members));
+  if (!alike_in_members(rows)) found.push_back(members_in_cell(row));
   for (auto const& column : columns) found.push_back(column.cell(row, notation));
   return found;
 }
@@ -110,15 +129,16 @@ std::vector<std::string> legend(Rows const& rows, Notation notation) {
 
 std::string failure(Estimates const& row) { return left_out(row, " were left out, their error is not finite"); }
 
-/// "energy", or "every error" where all that a cell observed lack the same members for the same reasons.
+/// "energy, casimir": what a cell observed that lacks the same members for the same reasons; of all, "every error".
 std::string of_what(Rows const& rows, Estimates const& row) {
-  std::size_t observed = 0, alike = 0;
+  std::size_t observed = 0;
+  std::vector<std::string> alike;
   for (auto const& other : rows)
     if (other.cell == row.cell) {
       ++observed;
-      alike += failure(other) == failure(row);
+      if (failure(other) == failure(row)) alike.push_back(other.quantity);
     }
-  return observed > 1 && alike == observed ? "every error" : row.quantity;
+  return observed > 1 && alike.size() == observed ? "every error" : fmt::format("{}", fmt::join(alike, ", "));
 }
 
 std::vector<std::string> failures(Rows const& rows, Factors const& factors) {

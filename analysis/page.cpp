@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <brouwer/error.hpp>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <set>
 #include <sstream>
@@ -64,7 +64,8 @@ std::string score(PageSection const& section) {
   auto const all = section.outcomes.size(), good = held(section.outcomes);
   auto text = all == 0 ? std::string("nothing was expected") : fmt::format("{} of {} hold", good, all);
   if (good < all) text = "**" + text + "**";
-  return text + (section.unjudged.empty() ? "" : fmt::format(", {} not judged", section.unjudged.size()));
+  text += section.unjudged.empty() ? "" : fmt::format(", {} not judged", section.unjudged.size());
+  return text + (section.unfinished.empty() ? "" : ", unfinished");
 }
 
 std::string total(std::vector<PageSection> const& sections) {
@@ -181,6 +182,7 @@ std::string figures(PageSection const& section) {
 
 std::string section_text(PageSection const& section, std::string const& place) {
   return paragraph(fmt::format("<a id=\"{}\"></a>", place)) + paragraph("## " + heading_of(section)) +
+         paragraph(section.unfinished.empty() ? "" : "**" + markdown_text(section.unfinished) + "**") +
          paragraph(section.source.empty() ? "" : "Source: " + markdown_text(section.source)) +
          measurements(section.estimates) + expectations(section) + figures(section);
 }
@@ -206,6 +208,14 @@ std::string value_of(std::string const& block, std::string const& key) {
 }
 
 }  // namespace
+
+PageFormat page_format(std::filesystem::path const& page) {
+  auto const extension = page.extension();
+  if (extension == ".md") return PageFormat::markdown;
+  if (extension == ".html" || extension == ".htm") return PageFormat::html;
+  throw InputError(
+      fmt::format("{} is to be a page; expected a name that ends in .html, .htm or .md", one_line(page.string())));
+}
 
 std::string render_page(std::vector<PageSection> const& sections, std::vector<std::string> const& programs) {
   auto const places = places_of(sections);

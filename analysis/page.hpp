@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -6,6 +7,11 @@
 #include "analysis/expectation.hpp"
 
 namespace brouwer {
+
+enum class PageFormat { html, markdown };
+
+/// By the end of its name: .html or .htm, .md. @throws InputError for any other
+PageFormat page_format(std::filesystem::path const& page);
 
 struct PageFigure {
   std::string caption;
@@ -21,7 +27,8 @@ struct PageSection {
   std::vector<Outcome> outcomes;
   std::vector<std::string> unjudged;  ///< expectations that options put out of reach, a sentence each
   std::vector<PageFigure> figures;
-  std::string note;  ///< why there are no figures
+  std::string note;        ///< why there are no figures
+  std::string unfinished;  ///< "unfinished: 900 of 4200 members in 14 cells"; said before anything that was found
 };
 
 /// One Markdown page of several studies: first a table of them (question, how many expectations hold), then a section

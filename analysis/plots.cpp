@@ -14,8 +14,6 @@
 namespace brouwer {
 namespace {
 
-void write_file(std::filesystem::path const& file, std::string const& content) { write_whole(file, content); }
-
 std::vector<FigureSheet> sheets_of(Family const& family) {
   std::vector<FigureSheet> sheets;
   if (family.rows.front().estimates->count) return {count_sheet(family)};
@@ -25,16 +23,28 @@ std::vector<FigureSheet> sheets_of(Family const& family) {
 }
 
 void draw(FigureSheet const& sheet, FigureFormat format, std::filesystem::path const& folder, Figures& figures) {
-  std::string const script = sheet.stem + ".gp";
-  write_file(folder / sheet.data_file(), sheet.data);
-  write_file(folder / script, gnuplot_script(sheet, format));
-  if (auto const complaint = gnuplot_complaint(folder, script))
-    figures.note = fmt::format("{}; the scripts and data of the figures are in {}", *complaint, folder.string());
-  else
-    figures.files.push_back(folder / (sheet.stem + "." + extension(format)));
+  write_whole(folder / sheet.data_file(), sheet.data);
+  draw_script(folder, sheet.stem, extension(format), gnuplot_script(sheet, format), figures);
 }
 
+bool contains(std::string const& text, std::string const& part) { return text.find(part) != std::string::npos; }
+
 }  // namespace
+
+std::string joined_notes(std::string const& a, std::string const& b) {
+  if (contains(a, b)) return a;
+  return contains(b, a) ? b : a + "; " + b;
+}
+
+void draw_script(std::filesystem::path const& folder, std::string const& stem, std::string const& extension,
+                 std::string const& script, Figures& figures) {
+  std::string const figure = stem + "." + extension;
+  write_whole(folder / (stem + ".gp"), script);
+  if (auto const complaint = gnuplot_complaint(folder, stem + ".gp", figure))
+    figures.note = fmt::format("{}; the scripts and data of the figures are in {}", *complaint, folder.string());
+  else
+    figures.files.push_back(folder / figure);
+}
 
 void make_figure_folder(std::filesystem::path const& folder) {
   std::error_code error;

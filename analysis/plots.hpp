@@ -9,7 +9,8 @@ namespace brouwer {
 
 struct Figures {
   std::vector<std::filesystem::path> files;  ///< the figures that were drawn
-  std::string note;  ///< a sentence, where gnuplot is missing or failed; scripts and data are kept
+  std::string
+      note;  ///< a sentence, where gnuplot is missing or failed (scripts and data are kept), or not all is drawn
 };
 
 /// Draws the figures of each quantity (its components and all cells together) with gnuplot: growth-NAME (RMS on
@@ -25,6 +26,14 @@ struct Figures {
 Figures draw_figures(std::vector<Estimates> const& estimates, std::vector<std::vector<double>> const& final_errors,
                      std::filesystem::path const& folder, std::string const& format,
                      std::vector<double> const& cpu_seconds = {});
+
+/// Writes STEM.gp and draws STEM.EXTENSION with it; the note says where that fails.
+/// @throws RunError where the script cannot be written
+void draw_script(std::filesystem::path const& folder, std::string const& stem, std::string const& extension,
+                 std::string const& script, Figures& figures);
+
+/// "a; b", or one of them where it says the other as well.
+std::string joined_notes(std::string const& a, std::string const& b);
 
 /// @throws RunError where it cannot be made
 void make_figure_folder(std::filesystem::path const& folder);

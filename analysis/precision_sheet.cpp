@@ -146,10 +146,7 @@ Panel panel_of(WorkPrecision const& work, std::vector<Pen> const& pens, std::str
 
 std::string subtitle(Family const& family, std::vector<CellLabels> const& cells, WorkPrecision const& work) {
   auto text = describe(cells.front(), constant_factors(cells));
-  auto const members = family.rows.front().estimates->members;
-  bool const equal = std::all_of(family.rows.begin(), family.rows.end(),
-                                 [&](auto const& row) { return row.estimates->members == members; });
-  if (equal) text += fmt::format("{}{} members", text.empty() ? "" : ", ", members);
+  if (!family.members.empty()) text += (text.empty() ? "" : ", ") + family.members;
   text += fmt::format("{}t = {:.6g}", text.empty() ? "" : ", ", work.time);
   return text + (work.has_cpu_seconds() ? "" : "; CPU times were not recorded");
 }

@@ -37,11 +37,16 @@ std::string summary(std::vector<Outcome> const& outcomes) {
                      outcomes.size());
 }
 
+std::string unfinished(ReportContent const& content) {
+  if (content.unfinished.empty()) return "";
+  return "<p class=\"summary fail\">" + xml_text(content.unfinished) + "</p>\n";
+}
+
 std::string page_header(ReportContent const& content) {
   std::string const heading = content.question.empty() ? content.title : content.question;
   std::string const above = content.question.empty() ? "" : "<p class=\"title\">" + xml_text(content.title) + "</p>\n";
-  return element(
-      "header", above + text_element("h1", heading) + text_element("cite", content.source) + summary(content.outcomes));
+  return element("header", above + text_element("h1", heading) + unfinished(content) +
+                               text_element("cite", content.source) + summary(content.outcomes));
 }
 
 // --- verdicts and expectations --------------------------------------------------------------------

@@ -25,9 +25,10 @@ struct ReportContent {
   std::vector<std::string> unjudged;  ///< expectations that options put out of reach, a sentence each
   std::vector<Estimates> estimates;
   std::vector<ReportFigure> figures;
-  std::string note;        ///< why there are no figures
+  std::string note;        ///< why there are no figures, or not all
   std::string study_text;  ///< the study file
   std::string provenance;  ///< versions, compiler, machine
+  std::string unfinished;  ///< "unfinished: 900 of 4200 members in 14 cells"; stands in the page's head
 };
 
 /// One self-contained HTML5 page: nothing is loaded from elsewhere, no scripts; for light and dark screens and paper.

@@ -53,7 +53,7 @@ struct PlotCommand {
 
 struct ReportCommand {
   std::vector<std::string> results;  ///< several for a Markdown page only
-  std::string file;  ///< Markdown where it ends in .md, otherwise HTML; "": report.html in the result folder
+  std::string file;                  ///< FILE.html, FILE.htm or FILE.md; "": report.html in the result folder
   Levels levels;
 };
 

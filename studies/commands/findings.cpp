@@ -6,6 +6,7 @@
 #include <brouwer/error.hpp>
 
 #include "analysis/factors.hpp"
+#include "analysis/failures.hpp"
 #include "analysis/inference.hpp"
 #include "analysis/sweep.hpp"
 #include "studies/commands/commands.hpp"
@@ -19,14 +20,16 @@ std::vector<CellLabels> cells_of(std::vector<Estimates> const& rows) {
   return cells;
 }
 
-/// A part of a result is not to pass for the whole.
-void say_if_unfinished(Results const& results) {
+std::string unfinished_part(Results const& results) {
   std::int64_t finished = 0;
   for (std::size_t cell = 0; cell < results.cells(); ++cell) finished += results.finished_members(cell);
-  auto const planned = static_cast<std::int64_t>(results.cells()) * results.planned_members();
-  if (finished < planned)
-    fmt::print(stderr, "brouwer: {} is unfinished: {} of {} members in {} cells; run the study again to complete it\n",
-               results.folder().string(), finished, planned, results.cells());
+  return unfinished_in_words(finished, results.planned_members(), results.cells());
+}
+
+/// A part of a result is not to pass for the whole.
+void say_if_unfinished(Results const& results) {
+  if (auto const part = unfinished_part(results); !part.empty())
+    fmt::print(stderr, "brouwer: {} is {}; run the study again to complete it\n", results.folder().string(), part);
 }
 
 void say(Figures const& figures, std::filesystem::path const& folder) {
@@ -76,6 +79,13 @@ std::vector<Orbits> Findings::orbits() const {
   return all;
 }
 
+std::string Findings::unfinished() const {
+  std::vector<std::string> parts;
+  for (auto const& results : results_)
+    if (auto const part = unfinished_part(results); !part.empty()) parts.push_back(part);
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
 std::vector<Outcome> Findings::check(std::vector<Expectation> const& expectations) const {
   auto const sweep = [this](std::vector<std::size_t> const& rows) {
     std::vector<Ensemble> cells;
@@ -109,10 +119,12 @@ std::optional<Plane> usual_plane(Findings const& findings, Catalogue const& cata
 
 Figures draw_all(Findings const& findings, Catalogue const& catalogue, std::filesystem::path const& folder,
                  std::string const& format, std::optional<Plane> const& plane) {
+  auto const orbits = findings.orbits();
+  if (plane) check_plane(orbits, *plane);
   auto figures = draw_figures(findings.rows(), findings.final_errors(), folder, format, findings.cpu_seconds());
-  auto const clouds = draw_clouds(findings.orbits(), folder, plane ? plane : usual_plane(findings, catalogue), format);
+  auto const clouds = draw_clouds(orbits, folder, plane ? plane : usual_plane(findings, catalogue), format);
   figures.files.insert(figures.files.end(), clouds.files.begin(), clouds.files.end());
-  if (figures.note.empty()) figures.note = clouds.note;
+  figures.note = joined_notes(figures.note, clouds.note);
   return figures;
 }
 

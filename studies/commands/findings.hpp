@@ -27,6 +27,9 @@ class Findings {
   /// Of each cell, where its members were; without members where the study did not ask for states.
   std::vector<Orbits> orbits() const;
 
+  /// "unfinished: 900 of 4200 members in 14 cells"; "" where every planned member is there.
+  std::string unfinished() const;
+
   std::vector<Outcome> check(std::vector<Expectation> const& expectations) const;
 
  private:
@@ -51,6 +54,7 @@ void print_outcomes(std::vector<Outcome> const& outcomes, std::vector<std::strin
 
 /// All figures of results: of each quantity, and of the clouds in phase space where states were kept.
 /// @param plane  of the clouds; where not given, that of their system's description
+/// @throws InputError, before anything is drawn, for a plane that the states do not have
 Figures draw_all(Findings const& findings, Catalogue const& catalogue, std::filesystem::path const& folder,
                  std::string const& format, std::optional<Plane> const& plane = {});
 

@@ -5,6 +5,7 @@
 #include <brouwer/error.hpp>
 #include <brouwer/store/whole_file.hpp>
 
+#include "analysis/page.hpp"
 #include "studies/commands/commands.hpp"
 #include "studies/commands/findings.hpp"
 #include "studies/commands/report_markdown.hpp"
@@ -36,6 +37,7 @@ void write_html(std::filesystem::path const& folder, std::filesystem::path const
   Findings const findings({folder.string()}, levels);
   StudyFile const file = read_stored_study(folder, catalogue);
   ReportContent content = what_was_asked(file, catalogue);
+  content.unfinished = findings.unfinished();
   content.estimates = findings.rows();
   content.outcomes = findings.check(file.expectations);
   content.provenance = read_whole(folder / "provenance.txt");
@@ -48,7 +50,7 @@ void write_html(std::filesystem::path const& folder, std::filesystem::path const
 int report(ReportCommand const& command, Catalogue const& catalogue) {
   std::filesystem::path const first = command.results.front();
   auto const page = command.file.empty() ? first / "report.html" : std::filesystem::path(command.file);
-  if (page.extension() == ".md") {
+  if (page_format(page) == PageFormat::markdown) {
     write_markdown({command.results.begin(), command.results.end()}, page, command.levels, catalogue);
   } else {
     if (command.results.size() > 1)

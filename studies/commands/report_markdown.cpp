@@ -37,7 +37,8 @@ Draft draft_of(fs::path const& folder, Levels const& levels, Catalogue const& ca
                findings.check(file.expectations),
                file.unjudged,
                {},
-               ""},
+               "",
+               findings.unfinished()},
               main_figures(figures, findings.rows(), asked)};
   if (draft.figures.empty() && !figures.note.empty()) draft.section.note = "There are no figures: gnuplot drew none.";
   return draft;

@@ -75,11 +75,53 @@ TEST(CloudFilm, DoesNotFollowACloudThatRunsAway) {
   EXPECT_EQ(film.cells[1].unseen.back(), 64u);
 }
 
-TEST(CloudFilm, CountsMembersThatFailedAsUnseen) {
+/// Member 2 leaves the circle, ever faster.
+Orbits with_one_gone(Orbits cell) {
+  for (std::size_t j = 1; j < cell.times.size(); ++j)
+    for (std::size_t c = 0; c < 3; ++c)
+      cell.states[(2 * cell.times.size() + j) * 3 + c] = std::pow(1e15, static_cast<double>(j));
+  return cell;
+}
+
+TEST(CloudFilm, DoesNotFollowAMemberThatLeavesItsCloud) {
+  auto const a = with_one_gone(rotation("a", 8, 20)), b = with_one_gone(rotation("b", 8, 20));
+  for (auto const& film : {film_of({a}, {}), film_of({a, b}, {}), film_of({with_one_gone(rotation("c", 3, 20))}, {})}) {
+    EXPECT_LT(film.x_range.high, 2);
+    EXPECT_GT(film.x_range.low, -1.5);
+    for (auto const& cell : film.cells) {
+      EXPECT_EQ(cell.unseen.front(), 0u);
+      EXPECT_EQ(cell.unseen.back(), 1u);
+      EXPECT_EQ(cell.ended.back(), 0u);
+    }
+  }
+}
+
+TEST(CloudFilm, JudgesByThoseThatCameThrough) {
+  auto cell = rotation("a", 8, 20);
+  for (std::size_t i = 3; i < 8; ++i)  // five of eight run away, and fail
+    for (std::size_t j = 10; j < 21; ++j)
+      for (std::size_t c = 0; c < 3; ++c) cell.states[(i * 21 + j) * 3 + c] = j < 20 ? 1e200 : std::nan("");
+  auto const film = film_of({cell}, {});
+  EXPECT_LT(film.x_range.high, 2);
+  EXPECT_EQ(film.cells[0].unseen[19], 5u);
+  EXPECT_EQ(film.cells[0].unseen.back(), 0u);
+  EXPECT_EQ(film.cells[0].ended.back(), 5u);
+}
+
+TEST(CloudFilm, ShowsTheStartOfEveryMember) {
+  auto cell = rotation("a", 8, 20);
+  for (std::size_t j = 0; j < 21; ++j) cell.states[(2 * 21 + j) * 3] += 40;
+  auto const film = film_of({cell}, {});
+  EXPECT_GT(film.x_range.high, 40);
+  EXPECT_EQ(film.cells[0].unseen.front(), 0u);
+}
+
+TEST(CloudFilm, CountsMembersThatFailedAsEnded) {
   auto cell = rotation("a", 8, 4);
   for (std::size_t j = 3; j < 5; ++j) cell.states[(2 * 5 + j) * 3] = std::nan("");
   auto const film = film_of({cell}, {});
-  EXPECT_THAT(film.cells[0].unseen, ElementsAre(0, 0, 0, 1, 1));
+  EXPECT_THAT(film.cells[0].ended, ElementsAre(0, 0, 0, 1, 1));
+  EXPECT_THAT(film.cells[0].unseen, ElementsAre(0, 0, 0, 0, 0));
   EXPECT_THAT(film.data, HasSubstr("NaN "));
 }
 
@@ -87,6 +129,17 @@ TEST(CloudFilm, OfManyMembersShowsSomeAndSaysSo) {
   auto const film = film_of({rotation("a", 1500, 1)}, {});
   EXPECT_EQ(film.cells[0].points, most_points);
   EXPECT_THAT(film.subtitle, HasSubstr("600 of 1500 members; colour: q at the start"));
+}
+
+TEST(CloudFilm, OfManyCellsShowsTheFirstAndSaysSo) {
+  std::vector<Orbits> cells;
+  for (int i = 0; i < 58; ++i) cells.push_back(rotation("m" + std::to_string(i), 2, 1));
+  auto const film = film_of(cells, {});
+  ASSERT_EQ(film.cells.size(), most_cells);
+  EXPECT_EQ(film.cells.back().title, "m11");
+  EXPECT_THAT(film.subtitle, HasSubstr("2 members, the first 12 of 58 cells; colour"));
+  cells.resize(most_cells);
+  EXPECT_THAT(film_of(cells, {}).subtitle, testing::Not(HasSubstr("cells")));
 }
 
 TEST(CloudFilm, ColoursMembersByTheOrderOfTheirStart) {
@@ -108,6 +161,26 @@ TEST(CloudFilm, ShowsThePlaneThatIsAskedFor) {
         film_of({rotation("a", 8, 4)}, Plane{"q", "phas"});
       },
       ThrowsMessage<InputError>(HasSubstr("no component 'phas'; did you mean 'phase'?")));
+}
+
+TEST(PlaneOfACloud, HasTwoComponentsOfStatesThatWereKept) {
+  auto const with = std::vector{Orbits{}, rotation("a", 8, 4)}, without = std::vector{Orbits{}};
+  EXPECT_NO_THROW(check_plane(with, {"q", "phase"}));
+  EXPECT_THAT(
+      [&] {
+        check_plane(with, {"q", "q"});
+      },
+      ThrowsMessage<InputError>("a plane has two different components, not 'q' twice"));
+  EXPECT_THAT(
+      [&] {
+        check_plane(with, {"q", "phas"});
+      },
+      ThrowsMessage<InputError>(HasSubstr("no component 'phas'; did you mean 'phase'?")));
+  EXPECT_THAT(
+      [&] {
+        check_plane(without, {"foo", "bar"});
+      },
+      ThrowsMessage<InputError>(HasSubstr("no states to show in a plane: run the study with observe.states")));
 }
 
 TEST(CloudFilm, OfPointsThatCoincideStillHasAxes) {
@@ -141,6 +214,43 @@ TEST_F(CloudFigure, IsAnAnimationAndAStill) {
   EXPECT_THAT(content("cloud.gif"), HasSubstr("NETSCAPE2.0")) << "it is to run again and again";
   EXPECT_THAT(content("cloud-still.svg"), HasSubstr("t = 0.5"));
   for (auto const* name : {"cloud.gp", "cloud.dat", "cloud-still.gp"}) EXPECT_TRUE(fs::exists(folder / name)) << name;
+}
+
+TEST_F(CloudFigure, SaysHowManyAreOutOfSightAndHowManyEnded) {
+  if (!have_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
+  auto cell = with_one_gone(rotation("a", 8, 2));
+  cell.states[(4 * 3 + 2) * 3] = std::nan("");
+  draw_clouds({cell}, folder);
+  auto const still = content("cloud-still.svg");
+  EXPECT_THAT(still, HasSubstr(">1 of 8 out of sight<"));
+  EXPECT_THAT(still, HasSubstr(">1 of 8 out of sight, 1 of 8 ended<"));
+}
+
+TEST_F(CloudFigure, OfManyCellsIsDrawnAndTheNoteSaysOfWhich) {
+  std::vector<Orbits> cells;
+  for (int i = 0; i < 58; ++i) cells.push_back(rotation("m" + std::to_string(i), 2, 1));
+  auto const figures = draw_clouds(cells, folder);
+  EXPECT_THAT(figures.note, testing::StartsWith("cloud: the first 12 of 58 cells"));
+  if (!have_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
+  EXPECT_EQ(figures.note, "cloud: the first 12 of 58 cells");
+  for (auto const& file : figures.files) EXPECT_GT(fs::file_size(file), 1000u) << file;
+  EXPECT_EQ(figures.files.size(), 2u);
+}
+
+TEST_F(CloudFigure, ThatGnuplotFailsOnLeavesNoFile) {
+  if (!have_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
+  fs::create_directories(folder);
+  Figures figures;
+  std::string const begun = "set terminal svg\nset output 'x.svg'\nplot x\n";
+  draw_script(folder, "x", "svg", begun + "nonsense\n", figures);
+  EXPECT_THAT(figures.note, HasSubstr("gnuplot failed on x.gp"));
+  draw_script(folder, "y", "svg", "set terminal svg\nset output 'y.svg'\n", figures);
+  EXPECT_THAT(figures.note, HasSubstr("gnuplot failed on y.gp"));
+  EXPECT_TRUE(figures.files.empty());
+  for (auto const* name : {"x.svg", "y.svg"}) EXPECT_FALSE(fs::exists(folder / name)) << name;
+  for (auto const* name : {"x.gp", "y.gp"}) EXPECT_TRUE(fs::exists(folder / name)) << name;
+  draw_script(folder, "x", "svg", begun, figures);
+  EXPECT_EQ(figures.files.size(), 1u);
 }
 
 TEST_F(CloudFigure, TakesAnyNameAsWordsAndRunsNoneOfThem) {

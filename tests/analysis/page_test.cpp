@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <brouwer/error.hpp>
 #include <sstream>
 
 #include "analysis/main_figures.hpp"
@@ -81,6 +82,16 @@ TEST(Page, SaysWhyMembersWereLeftOut) {
               HasSubstr("- elliptic-naive, energy: 1 of 65 members is left out because of a collision (at step 17)."));
 }
 
+TEST(Page, SaysAtTheHeadOfASectionThatItIsUnfinished) {
+  auto section = drift_study();
+  section.unfinished = "unfinished: 900 of 4200 members in 14 cells";
+  auto const text = render_page({section}, {});
+  EXPECT_THAT(text, HasSubstr("## Do three constants remove the drift?\n\n"
+                              "**unfinished: 900 of 4200 members in 14 cells**\n\nSource:"));
+  EXPECT_THAT(text, HasSubstr("| **1 of 2 hold**, unfinished |"));
+  EXPECT_THAT(page(), Not(HasSubstr("unfinished")));
+}
+
 TEST(Page, EndsWithThePrograms) {
   EXPECT_THAT(page(), testing::EndsWith("---\n\nComputed with brouwer 0.1.0, g++ 12.2.0.\n"));
   EXPECT_EQ(page(), page());
@@ -89,7 +100,7 @@ TEST(Page, EndsWithThePrograms) {
 TEST(Page, HasEqualCellsInEveryRowOfATableWhateverNamesSay) {
   auto section = drift_study();
   std::string const evil = "a|b`c\n<script>\\[x](y)";
-  section.name = section.question = section.source = section.note = evil;
+  section.name = section.question = section.source = section.note = section.unfinished = evil;
   for (auto& e : section.estimates) e.quantity = e.cell.method = evil;
   section.outcomes = {{false, evil, evil}};
   section.unjudged = {evil};
@@ -130,6 +141,15 @@ TEST(Page, TellsStudiesOfOneNameApart) {
 
 TEST(Page, OfNothingIsStillAPage) {
   EXPECT_THAT(render_page({}, {}), HasSubstr("0 studies; 0 of 0 expectations hold"));
+}
+
+TEST(PageFormat, IsReadOffTheName) {
+  EXPECT_EQ(page_format("a/two.md"), PageFormat::markdown);
+  EXPECT_EQ(page_format("two.html"), PageFormat::html);
+  EXPECT_EQ(page_format("two.v1.htm"), PageFormat::html);
+  for (auto const* name : {"two.txt", "two", "html", ".md", "two.md.bak", "two.HTMLX"})
+    EXPECT_THAT([&] { page_format(name); }, testing::ThrowsMessage<InputError>(HasSubstr("ends in .html, .htm or .md")))
+        << name;
 }
 
 TEST(MainFigures, AreThoseOfWhatWasAsked) {

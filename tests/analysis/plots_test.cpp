@@ -140,5 +140,12 @@ TEST_F(Figure, GivesTheRmsTheBandOfItsChiSquared) {
   EXPECT_NEAR(high, std::sqrt(64 / 43.776), 2e-4);
 }
 
+TEST(Notes, AreJoinedAndSayNothingTwice) {
+  EXPECT_EQ(joined_notes("a", "b"), "a; b");
+  EXPECT_EQ(joined_notes("", "b"), "b");
+  EXPECT_EQ(joined_notes("a", ""), "a");
+  EXPECT_EQ(joined_notes("a", "c; a"), "c; a");
+}
+
 }  // namespace
 }  // namespace brouwer

@@ -66,6 +66,18 @@ TEST(Report, SaysEverythingItWasGiven) {
   expect_balanced(page);
 }
 
+TEST(Report, SaysInItsHeadThatItIsUnfinished) {
+  auto c = content();
+  EXPECT_THAT(render_report(c), Not(HasSubstr("unfinished")));
+  c.unfinished = "unfinished: 900 of 4200 members in 14 cells";
+  auto const page = render_report(c);
+  auto const said = page.find("<p class=\"summary fail\">unfinished: 900 of 4200 members in 14 cells</p>");
+  ASSERT_NE(said, std::string::npos);
+  EXPECT_GT(said, page.find("<h1>"));
+  EXPECT_LT(said, page.find("</header>"));
+  expect_balanced(page);
+}
+
 TEST(Report, LoadsNothingFromElsewhereAndRunsNothing) {
   auto const page = render_report(content());
   for (auto const* part : {"<script", "<link", "<img", "@import", "src="}) EXPECT_THAT(page, Not(HasSubstr(part)));
@@ -89,7 +101,7 @@ TEST(Report, GivesEachFigureItsOwnIdentifiers) {
 TEST(Report, EscapesEveryText) {
   std::string const evil = "<script>alert('x')</script>&\"";
   auto c = content();
-  c.title = c.question = c.source = c.study_text = c.provenance = c.note = evil;
+  c.title = c.question = c.source = c.study_text = c.provenance = c.note = c.unfinished = evil;
   c.run = {{evil, evil}};
   c.unjudged = {evil};
   c.outcomes = {{true, evil, evil}};

@@ -135,6 +135,18 @@ TEST(TextTable, MentionsMembersThatWereLeftOut) {
               HasSubstr("elliptic-naive, energy: 3 of 67 members were left out"));
 }
 
+TEST(TextTable, SpeaksOfTheMembersThatWereRun) {
+  auto rows = two_methods();
+  for (auto& row : rows) row.members = 39, row.failed = 61;
+  EXPECT_THAT(lines_of(render_table(rows, TableFormat::text))[0], HasSubstr("20000 steps, 39 of 100 members, error"));
+  rows[1].members = 100, rows[1].failed = 0;
+  auto const text = render_table(rows, TableFormat::text);
+  EXPECT_THAT(lines_of(text)[0], HasSubstr("20000 steps, 100 members, error"));
+  EXPECT_THAT(text, HasSubstr(" 39 of 100 "));
+  rows[1].members = 50;
+  EXPECT_THAT(lines_of(render_table(rows, TableFormat::text))[0], testing::Not(HasSubstr("members,")));
+}
+
 TEST(EveryTableForPeople, SaysWhyMembersWereLeftOut) {
   auto rows = two_methods();
   rows[0].failed = 3;
@@ -159,6 +171,21 @@ TEST(EveryTableForPeople, SaysOnceWhatIsTrueOfEveryErrorOfACell) {
   EXPECT_EQ(text.find(note), text.rfind(note));
   rows[2].failures[0].first_step = 5;
   EXPECT_THAT(render_table(rows, TableFormat::text), HasSubstr("elliptic-naive, casimir: 64 of 64"));
+}
+
+TEST(EveryTableForPeople, SaysOnceWhatIsTrueOfSeveralErrorsOfACell) {
+  auto rows = std::vector<Estimates>(5, two_methods()[0]);
+  char const* const names[] = {"energy", "state", "angular-momentum", "phase", "casimir"};
+  std::int64_t const failed[] = {3, 5, 3, 5, 0};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].quantity = names[i];
+    rows[i].failed = failed[i];
+    if (failed[i] > 0) rows[i].failures = {{"collision", failed[i], 17}};
+  }
+  auto const notes = growth_table(rows, CellsAs::columns).notes;
+  ASSERT_EQ(notes.size(), 2u);
+  EXPECT_THAT(notes[0], HasSubstr(", energy, angular-momentum: 3 of 67 members are left out because of a collision"));
+  EXPECT_THAT(notes[1], HasSubstr(", state, phase: 5 of 69 members are left out because of a collision"));
 }
 
 TEST(EveryTable, HasARowOfACountWithoutALaw) {
