@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "analysis/escape.hpp"
+#include "analysis/growth_table.hpp"
 #include "analysis/inference.hpp"
 #include "analysis/numbers.hpp"
 #include "tests/analysis/presented_estimates.hpp"
