@@ -57,7 +57,7 @@ TEST(Counts, HaveNoLawOfGrowth) {
   for (char const* law : {"drift = \"none\"", "growth = { exponent = 0.5, within = 0.1 }", "persistence = \"none\"",
                           "step_exponent = { exponent = 1, within = 0.1 }", "verdict = \"drift\""})
     EXPECT_THAT(complaint(std::string("of = \"iterations\"\n") + law),
-                HasSubstr("x.toml:15: [[expect]] 'iterations' is a count"))
+                HasSubstr("x.toml:14: [[expect]] 'iterations' is a count"))
         << law;
 }
 

@@ -203,8 +203,10 @@ class UnitWork {
       if (comparison_ && !comparison_->advance(steps, watch_)) return false;
       observer_.observe(trajectories, j, now);
       if (study_.states) put_states(trajectories, j, record);
-      for (std::size_t i = 0; comparison_ && i < comparison_->members(); ++i)
+      for (std::size_t i = 0; comparison_ && i < comparison_->members(); ++i) {
+        if (comparison_->failure(i)) observer_.lose_reference(i);
         observer_.observe_state(trajectories, i, comparison_->state(i), j);
+      }
     }
     return true;
   }

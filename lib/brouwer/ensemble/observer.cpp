@@ -70,6 +70,8 @@ void Observer::observe(Trajectories const& trajectories, std::size_t sample, std
   integral_errors_.resize(trajectories.members() * integrals_.count);
   trajectories.first_integral_errors(integral_errors_);
   for (std::size_t member = 0; member < trajectories.members(); ++member)
+    if (trajectories.failure(member)) failed_[member] = true;  // an error may be a number all the same: 0 for a phase
+  for (std::size_t member = 0; member < trajectories.members(); ++member)
     store(integrals_, std::span(integral_errors_).subspan(member * integrals_.count, integrals_.count), member, sample,
           failed_);
   if (iterations_.places.empty() || series_[iterations_.first].members == 0) return;

@@ -23,13 +23,16 @@ class Observer {
   bool needs_reference() const { return !states_.places.empty() || !rounding_.places.empty(); }
 
   /// Writes the errors of the first integrals of all members at one sample, and the turns of their iterations per step up
-  /// to it. A member one of whose errors is not finite has failed: its series stay NaN from here on.
+  /// to it. A member that has failed, or one of whose errors is not finite, is NaN from here on.
   /// @param steps  since the start
   void observe(Trajectories const& trajectories, std::size_t sample, std::int64_t steps);
 
   /// The same for one member's state and first integrals against `reference`.
   void observe_state(Trajectories const& trajectories, std::size_t member, std::span<Widest const> reference,
                      std::size_t sample);
+
+  /// From here on there is nothing that this member can be compared with.
+  void lose_reference(std::size_t member) { comparison_failed_[member] = true; }
 
   std::vector<Series> take_series() { return std::move(series_); }
 
