@@ -29,6 +29,10 @@ std::string folded(std::string text) {
 
 }  // namespace
 
+bool contains(std::vector<std::string> const& words, std::string const& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 std::string nearest(std::string const& word, std::vector<std::string> const& candidates) {
   if (word.empty() || word.size() > 64) return "";
   std::string best;

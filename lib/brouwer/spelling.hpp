@@ -4,6 +4,9 @@
 
 namespace brouwer {
 
+/// Is the word among them, spelt the same?
+bool contains(std::vector<std::string> const& words, std::string const& word);
+
 /// The candidate nearest to `word`, or "" if none is near: optimal string alignment distance, at most 2 or a third of the
 /// word's length, whichever is more; case, hyphens and underscores do not count.
 std::string nearest(std::string const& word, std::vector<std::string> const& candidates);

@@ -3,15 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <brouwer/spelling.hpp>
 #include <map>
 #include <set>
 
 namespace brouwer {
 namespace {
-
-bool contains(std::vector<std::string> const& names, std::string const& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 bool observed(std::string const& name, Study const& study, Catalogue const& catalogue) {
   return std::any_of(study.quantities.begin(), study.quantities.end(), [&](std::string const& quantity) {

@@ -83,8 +83,7 @@ std::vector<std::string> coefficient_levels(Catalogue const& catalogue, std::str
   std::vector<std::string> levels;
   for (auto const& method : catalogue.methods)
     for (auto const& level : method.coefficients)
-      if (method.system == system && std::find(levels.begin(), levels.end(), level) == levels.end())
-        levels.push_back(level);
+      if (method.system == system && !contains(levels, level)) levels.push_back(level);
   return levels;
 }
 

@@ -4,12 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include <brouwer/spelling.hpp>
+
 namespace brouwer {
 namespace {
-
-bool contains(std::vector<std::string> const& names, std::string const& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 Series empty_series(Quantity const& quantity, std::string const& component, std::int64_t members, std::size_t samples) {
   auto const entries = static_cast<std::size_t>(members) * samples;

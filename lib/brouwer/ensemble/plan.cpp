@@ -14,10 +14,6 @@
 namespace brouwer {
 namespace {
 
-bool contains(std::vector<std::string> const& words, std::string const& word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 constexpr std::int64_t most_steps = 1'000'000'000'000'000;  // 10^15: exact as a double, and more than anyone waits for
 
 std::int64_t steps_of(Study const& study, double h) {
