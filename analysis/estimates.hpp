@@ -31,13 +31,20 @@ struct Drift {
 struct Persistence {
   double per_step = 0;  ///< √max(0, var(sᵢ) − σ̂²/t_J)
   double F = 1;
-  double p = 1;      ///< P(F' ≥ F): small when slopes persist
-  double p_low = 1;  ///< P(F' ≤ F): small when the error is bounded rather than diffusing
+  double p = 1;            ///< P(F' ≥ F): small when slopes persist
+  double p_low = 1;        ///< P(F' ≤ F): small when the error is bounded rather than diffusing
+  Interval interval = {};  ///< of τ
 };
 
 /// σ, the standard deviation of the random walk, per √(unit of time).
 struct Diffusion {
   double per_sqrt_step = 0;
+  Interval interval;
+};
+
+/// ν, the standard deviation of noise that does not grow; 0 where the data do not ask for any.
+struct BoundedNoise {
+  double size = 0;
   Interval interval;
 };
 
@@ -69,6 +76,7 @@ struct Estimates {
   Drift drift;
   Persistence persistence;
   Diffusion diffusion;
+  BoundedNoise noise;
   Growth growth;
   double smallest_visible_drift = 0;  ///< per step, at levels.test with chance levels.power
   Levels levels;

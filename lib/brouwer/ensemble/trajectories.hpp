@@ -14,9 +14,11 @@ namespace brouwer {
 /// trajectories and text output pass through it.
 using Widest = Mpfr<1024>;
 
-/// What one member starts from: the system's parameter fields and its other fields, one after the other.
+/// What one member starts from: the system's parameter fields and its other fields, one after the other. What is meant
+/// is state + state_rest, for an arithmetic that can hold the sum: a state on the way is carried with its residue.
 struct Start {
   std::vector<double> parameters, state;
+  std::vector<double> state_rest = {};  ///< empty: 0
 };
 
 /// Names and numbers from which a method makes trajectories.

@@ -99,8 +99,11 @@ class TrajectoriesIn : public Trajectories {
 
   /// What the stepper of a pack is made from.
   Setup<System> setup(std::size_t pack, bool whole_state) const {
-    return {System(std::span<T const>(gathered(pack, &Start::parameters))), T(step_),
-            State::from_components(gathered(pack, &Start::state)), whole_state};
+    auto const parameters = gathered(pack, starts_.front().parameters.size(), [](Start const& start, std::size_t n) {
+      return static_cast<E>(start.parameters[n]);
+    });
+    auto const state = gathered(pack, starts_.front().state.size(), state_number<E>);
+    return {System(std::span<T const>(parameters)), T(step_), State::from_components(state), whole_state};
   }
 
   /// A pack's state, and what rounding has cost it so far where that is carried along.
@@ -119,14 +122,22 @@ class TrajectoriesIn : public Trajectories {
         : system(s), integrals(brouwer::first_integrals(s, start, h)), scales(s.first_integral_scales(start)) {}
   };
 
-  /// The numbers of a part of the starts, one scalar a number: doubles are rounded to the arithmetic here, and nowhere
+  /// A number of the state that is meant: state + state_rest, rounded to the arithmetic V.
+  template <class V>
+  static V state_number(Start const& start, std::size_t n) {
+    V const number = static_cast<V>(start.state[n]);
+    return start.state_rest.empty() ? number : V(number + static_cast<V>(start.state_rest[n]));
+  }
+
+  /// number_of(start, n) for n = 0 … size − 1, one scalar a number: doubles are rounded to the arithmetic here, and nowhere
   /// else.
-  std::vector<T> gathered(std::size_t pack, std::vector<double> Start::*part) const {
-    std::vector<T> numbers((starts_.front().*part).size());
-    for (std::size_t n = 0; n < numbers.size(); ++n)
+  template <class NumberOf>
+  std::vector<T> gathered(std::size_t pack, std::size_t size, NumberOf number_of) const {
+    std::vector<T> numbers(size);
+    for (std::size_t n = 0; n < size; ++n)
       numbers[n] = from_lanes<T>([&](int l) {
         std::size_t const member = std::min(pack * lane_count + static_cast<std::size_t>(l), starts_.size() - 1);
-        return static_cast<E>((starts_[member].*part)[n]);
+        return number_of(starts_[member], n);
       });
     return numbers;
   }
@@ -159,7 +170,8 @@ class TrajectoriesIn : public Trajectories {
   }
   WideState wide_start(std::size_t member) const {
     std::vector<W> components;
-    for (double number : starts_[member].state) components.emplace_back(static_cast<E>(number));
+    for (std::size_t n = 0; n < starts_[member].state.size(); ++n)
+      components.emplace_back(state_number<E>(starts_[member], n));
     return WideState::from_components(components);
   }
   WideSystem wide_system(std::size_t member) const {

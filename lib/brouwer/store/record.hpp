@@ -16,8 +16,11 @@ struct CellLabels {
   std::string special_functions;  ///< own, gsl, boost; "-" where the method uses none
   std::string coefficients;       ///< per-step, per-trajectory; "-" where the method has no modified ones
   bool compensation = false;
-  double step = 0;         ///< h, in the system's unit of time
-  std::int64_t steps = 0;  ///< how many
+  double step = 0;                    ///< h, in the system's unit of time
+  std::int64_t steps = 0;             ///< how many
+  std::string rounding = "nearest";   ///< of every operation of a step: nearest, up, down, toward-zero, stochastic
+  std::string constants = "rounded";  ///< of the method: rounded, or exact (held in two numbers each)
+  bool contraction = false;           ///< are products that are added fused with the sum, as compilers may?
 
   bool operator==(CellLabels const&) const = default;
 };
