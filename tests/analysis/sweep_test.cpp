@@ -14,18 +14,8 @@ namespace {
 
 /// Random walks with σ per √step ∝ h^exponent, members sharing part of their path across the cells.
 std::vector<Ensemble> sweep(double exponent, std::vector<double> const& steps, int members, unsigned long seed) {
-  std::vector<Ensemble> cells;
-  auto const times = log_spaced(12, 1e4);
-  auto const shared = simulated({.diffusion = 1}, members, times, seed);
-  for (double const h : steps) {
-    auto cell = simulated({.diffusion = 1}, members, times, ++seed);
-    cell.errors = std::pow(h, exponent) * (0.6 * shared.errors + 0.8 * cell.errors);
-    cell.cell.method = "dmv-2";
-    cell.cell.step = h;
-    cell.cell.steps = 10'000;
-    cells.push_back(std::move(cell));
-  }
-  return cells;
+  Normal normal(seed);
+  return swept({.diffusion = 1}, exponent, steps, members, log_spaced(12, 1e4), normal);
 }
 
 std::string complaint(std::vector<Ensemble> const& cells) {
