@@ -66,12 +66,20 @@ bool are_few(std::size_t far_off, Eigen::Index members) {
   return far_off == 1 || static_cast<double>(far_off) <= few * static_cast<double>(members);
 }
 
+std::vector<std::int64_t> numbers_of(Ensemble const& ensemble, std::vector<Eigen::Index> const& rows) {
+  std::vector<std::int64_t> numbers;
+  for (auto const row : rows)
+    numbers.push_back(ensemble.numbers.empty() ? row : ensemble.numbers[static_cast<std::size_t>(row)]);
+  return numbers;
+}
+
 Ensemble without(Ensemble const& ensemble, std::vector<Eigen::Index> const& rows) {
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < ensemble.errors.rows(); ++i)
     if (!std::binary_search(rows.begin(), rows.end(), i)) kept.push_back(i);
   Ensemble rest = ensemble;
   rest.errors = ErrorMatrix(ensemble.errors(kept, Eigen::all));
+  rest.numbers = numbers_of(ensemble, kept);
   return rest;
 }
 

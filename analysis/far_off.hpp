@@ -18,6 +18,9 @@ std::vector<Eigen::Index> far_off_members(Ensemble const& ensemble, Units const&
 /// As many of `members` are few: one, or up to 5 in 100. More are a population of their own.
 bool are_few(std::size_t far_off, Eigen::Index members);
 
+/// Of the members in these rows.
+std::vector<std::int64_t> numbers_of(Ensemble const& ensemble, std::vector<Eigen::Index> const& rows);
+
 /// The ensemble without these rows, which are in ascending order.
 Ensemble without(Ensemble const& ensemble, std::vector<Eigen::Index> const& rows);
 

@@ -9,9 +9,11 @@
 
 #include "analysis/distributions.hpp"
 #include "analysis/failures.hpp"
+#include "analysis/far_off.hpp"
 #include "analysis/growth.hpp"
 #include "analysis/growth_model.hpp"
 #include "analysis/tails.hpp"
+#include "analysis/transient.hpp"
 #include "analysis/units.hpp"
 #include "analysis/verdict.hpp"
 
@@ -95,10 +97,10 @@ void use_tails(Estimates& e, TailInference const& found) {
 /// The law with noise takes the place of the closed form, if the mean does not contradict it.
 void use_model(Estimates& e) {
   e.persistence.interval = {undefined, undefined};
-  if (!e.model || e.model->p_course < e.levels.test) return;
+  if (!e.model) return;
   auto const& model = *e.model;
-  e.persistence.interval = model.slopes;
-  if (!model.law().terms.noise) return;
+  if (!model.law().terms.noise || noise_in_force(e)) e.persistence.interval = model.slopes;
+  if (!noise_in_force(e)) return;
   e.drift = {model.law().drift, model.drift, model.t, model.p, e.drift.share};
   e.persistence.per_step = model.law().slopes;
   e.diffusion = {model.law().diffusion, model.diffusion};
@@ -177,6 +179,35 @@ Estimates counted(Ensemble const& ensemble, Levels const& levels) {
   return e;
 }
 
+/// The law of growth of an ensemble, without a verdict.
+Estimates law_of(Ensemble const& ensemble, Levels const& levels) {
+  auto const units = units_of(ensemble);
+  auto const s = sufficient(ensemble, units);
+  Estimates e = described(ensemble, levels);
+  describe_course(ensemble, units.error, e);
+  e.drift = drift_of(s, units, levels);
+  e.drift.share = e.rms_final > 0 ? std::min(1.0, std::abs(e.mean.back()) / e.rms_final) : 0;
+  e.persistence = persistence_of(s, units);
+  e.diffusion = diffusion_of(s, units, levels);
+  e.growth = growth_of(ensemble, levels.confidence);
+  e.smallest_visible_drift = smallest_visible_drift(s, units, levels);
+  use_tails(e, tails_of(ensemble, units));
+  e.transient = transient_of(ensemble, units, levels);
+  e.model = growth_model(ensemble, units, levels, e.tails, e.persistence.p);
+  use_model(e);
+  return e;
+}
+
+/// The law of all but the members far off, if these are few; both drifts are told.
+Estimates law_beside(std::vector<Eigen::Index> const& far_off, Ensemble const& ensemble, Levels const& levels) {
+  Estimates all = law_of(ensemble, levels);
+  bool const few = are_few(far_off.size(), ensemble.errors.rows());
+  FarOff const found{numbers_of(ensemble, far_off), few, all.drift, all.diffusion};
+  Estimates e = few ? law_of(without(ensemble, far_off), levels) : std::move(all);
+  e.far_off = found;
+  return e;
+}
+
 Estimates judged(Estimates e) {
   auto judgement = judge(e);
   e.verdict = judgement.verdict;
@@ -204,20 +235,9 @@ Estimates estimate(Ensemble const& ensemble, Levels const& levels) {
   if (ensemble.errors.rows() == 0 && ensemble.failed > 0) return all_failed(ensemble, levels);
   require_shape(ensemble);
   if (ensemble.count) return judged(counted(ensemble, levels));
-  auto const units = units_of(ensemble);
-  auto const s = sufficient(ensemble, units);
-  Estimates e = described(ensemble, levels);
-  describe_course(ensemble, units.error, e);
-  e.drift = drift_of(s, units, levels);
-  e.drift.share = e.rms_final > 0 ? std::min(1.0, std::abs(e.mean.back()) / e.rms_final) : 0;
-  e.persistence = persistence_of(s, units);
-  e.diffusion = diffusion_of(s, units, levels);
-  e.growth = growth_of(ensemble, levels.confidence);
-  e.smallest_visible_drift = smallest_visible_drift(s, units, levels);
-  use_tails(e, tails_of(ensemble, units));
-  e.model = growth_model(ensemble, units, levels, e.tails, e.persistence.p);
-  use_model(e);
-  return judged(std::move(e));
+  auto const far_off = far_off_members(ensemble, units_of(ensemble));
+  if (far_off.empty()) return judged(law_of(ensemble, levels));
+  return judged(law_beside(far_off, ensemble, levels));
 }
 
 }  // namespace brouwer
