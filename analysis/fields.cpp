@@ -28,8 +28,8 @@ struct Field {
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr Counted no_count = {undefined, {undefined, undefined}};
 constexpr Interval no_interval = {undefined, undefined};
-FullModel const no_model = {{},          0,           undefined,   undefined, undefined, undefined, no_interval,
-                            no_interval, no_interval, no_interval, undefined, undefined, undefined};
+FullModel const no_model = {{},          0,           undefined,   undefined,   undefined, undefined, undefined,
+                            no_interval, no_interval, no_interval, no_interval, undefined, undefined, undefined};
 Transient const no_transient = {undefined, undefined, {undefined, no_interval, undefined, undefined, undefined}};
 
 double with_them(Estimates const& e, double value) { return e.far_off.members.empty() ? undefined : value; }
@@ -84,6 +84,7 @@ Field const fields[] = {
     {"model.p_walk", [](E const& e) -> Value { return e.model.value_or(no_model).p_walk; }},
     {"model.p_slopes", [](E const& e) -> Value { return e.model.value_or(no_model).p_slopes; }},
     {"model.p_course", [](E const& e) -> Value { return e.model.value_or(no_model).p_course; }},
+    {"model.p_end", [](E const& e) -> Value { return e.model.value_or(no_model).p_end; }},
     {"model.drift_ci", [](E const& e) -> Value { return e.model.value_or(no_model).drift; }},
     {"model.slopes_ci", [](E const& e) -> Value { return e.model.value_or(no_model).slopes; }},
     {"model.diffusion_ci", [](E const& e) -> Value { return e.model.value_or(no_model).diffusion; }},

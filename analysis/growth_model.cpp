@@ -51,13 +51,13 @@ double p_between(std::array<GrowthFit, laws.size()> const& fits, LawTerms const&
   return boundary_p(fits[place_of(smaller)].deviance - fits[place_of(larger)].deviance);
 }
 
-LawTerms choose(std::array<GrowthFit, laws.size()> const& fits, double level, FullModel& model) {
+LawTerms choose(std::array<GrowthFit, laws.size()> const& fits, double level, double p_signs, FullModel& model) {
   LawTerms terms{true, true, true};
   model.p_noise = std::max(model.p_noise, p_between(fits, {true, true, false}, terms));
   terms.noise = model.p_noise < level;
   model.p_walk = terms.noise ? p_between(fits, {false, true, true}, terms) : 0;
   terms.walk = model.p_walk < level;
-  if (terms.noise) model.p_slopes = p_between(fits, {terms.walk, false, true}, terms);
+  if (terms.noise) model.p_slopes = std::max(p_signs, p_between(fits, {terms.walk, false, true}, terms));
   terms.slopes = model.p_slopes < level;
   return terms;
 }
@@ -67,6 +67,14 @@ double course_p(GrowthLikelihood const& likelihood, double rho) {
   auto const r = likelihood.statistics().at(rho);
   double const m = likelihood.statistics().times() - 1, n = m * (likelihood.statistics().members() - 1);
   return fisher_upper(r.course / m / ((r.residual - r.course) / n), m, n);
+}
+
+/// Of the variance of the errors at the end, T²Σ(sᵢ⁰ − s̄⁰)²/(M−1), against what the law says.
+double end_p(GrowthStatistics const& statistics, GrowthFit const& fit) {
+  double const time = statistics.duration(), dof = statistics.members() - 1;
+  double const expected = fit.tau2 + fit.sigma2() / time + fit.nu2() / (time * time);
+  double const chi2 = statistics.slope_spread() / expected;
+  return std::min(1.0, 2 * std::min(chi_squared_upper(chi2, dof), chi_squared_lower(chi2, dof)));
 }
 
 void test_drift(FullModel& model, GrowthFit const& fit, GrowthStatistics const& statistics, Units const& units,
@@ -93,11 +101,12 @@ double boundary_p(double twice_ratio) {
 }
 
 std::optional<FullModel> growth_model(Ensemble const& ensemble, Units const& units, Levels const& levels,
-                                      Tails const& tails, double slopes_p) {
+                                      TailInference const& tails, double slopes_p) {
   if (ensemble.errors.rows() < 2 || ensemble.errors.cols() < 3) return std::nullopt;
   GrowthStatistics const statistics(ensemble, units);
   auto const closed = statistics.at(0);
-  if (!statistics.members_differ() || !(closed.residual > closed.course) || !(closed.course >= 0)) return std::nullopt;
+  if (!(statistics.slope_spread() > 0) || !(closed.residual > closed.course) || !(closed.course >= 0))
+    return std::nullopt;
   GrowthLikelihood const likelihood(statistics);
   auto const fits = fits_of(likelihood);
   FullModel model;
@@ -107,12 +116,13 @@ std::optional<FullModel> growth_model(Ensemble const& ensemble, Units const& uni
   for (std::size_t k = 0; k < laws.size(); ++k) model.candidates.push_back(candidate(laws[k], fits[k], least, units));
   model.p_noise = noise_score_p(ensemble, units);
   model.p_slopes = slopes_p;
-  auto const terms = choose(fits, levels.test, model);
+  auto const terms = choose(fits, levels.test, tails.p_signs, model);
   model.chosen = place_of(terms);
   auto const& chosen = fits[model.chosen];
   model.p_course = course_p(likelihood, chosen.rho);
+  model.p_end = end_p(statistics, chosen);
   test_drift(model, chosen, statistics, units, levels.confidence);
-  auto const intervals = profile_intervals(likelihood, chosen, terms, levels.confidence, inflation(tails));
+  auto const intervals = profile_intervals(likelihood, chosen, terms, levels.confidence, inflation(tails.tails));
   model.diffusion = units.sqrt_rate(intervals.sigma);
   model.slopes = units.rate(intervals.tau);
   model.noise = units.size(intervals.nu);

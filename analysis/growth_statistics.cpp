@@ -21,6 +21,7 @@ Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> noise_spectrum(Eigen::ArrayXd con
 GrowthStatistics::GrowthStatistics(Ensemble const& ensemble, Units const& units)
     : members_(static_cast<double>(ensemble.errors.rows())) {
   MemberBlocks const blocks(ensemble, units, most_times);
+  duration_ = blocks.duration();
   auto const J = blocks.times().size();
   Eigen::VectorXd sum_rest = Eigen::VectorXd::Zero(J), slope_by_rest = sum_rest;
   Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(J, J);

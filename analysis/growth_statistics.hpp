@@ -36,13 +36,14 @@ class GrowthStatistics {
   double times() const { return static_cast<double>(eigenvalues_.size()); }
   double smallest_eigenvalue() const { return eigenvalues_[0]; }
   double largest_eigenvalue() const { return eigenvalues_[eigenvalues_.size() - 1]; }
-  bool members_differ() const { return slope_spread_ > 0; }
+  double duration() const { return duration_; }
+  double slope_spread() const { return slope_spread_; }  ///< of the lines to the ends, about their mean
 
   /// @param rho  ν²/σ² in scaled units, 0 … ∞; ∞ is noise alone
   Reduced at(double rho) const;
 
  private:
-  double members_ = 0, mean_slope_ = 0, slope_spread_ = 0;
+  double members_ = 0, duration_ = 0, mean_slope_ = 0, slope_spread_ = 0;
   Eigen::ArrayXd eigenvalues_, w_;             // Λ, Qᵀu
   Eigen::VectorXd mean_rest_, slope_by_rest_;  // r̄, Σ (sᵢ − s̄) rᵢ
   Eigen::MatrixXd scatter_;                    // Σ (rᵢ − r̄)(rᵢ − r̄)ᵀ

@@ -87,8 +87,7 @@ Diffusion diffusion_of(Sufficient const& s, Units const& units, Levels const& le
 void use_tails(Estimates& e, TailInference const& found) {
   e.tails = found.tails;
   if (found.tails.normal) return;
-  e.persistence.p = found.F_upper;
-  e.persistence.p_low = found.F_lower;
+  e.persistence.p = std::max(e.persistence.p, found.p_signs);
   double const dof = static_cast<double>(e.members - 1);
   double const factor = std::exp(found.log_error * student_upper_quantile((1 - e.levels.confidence) / 2, dof));
   e.diffusion.interval = {e.diffusion.per_sqrt_step / factor, e.diffusion.per_sqrt_step * factor};
@@ -191,9 +190,10 @@ Estimates law_of(Ensemble const& ensemble, Levels const& levels) {
   e.diffusion = diffusion_of(s, units, levels);
   e.growth = growth_of(ensemble, levels.confidence);
   e.smallest_visible_drift = smallest_visible_drift(s, units, levels);
-  use_tails(e, tails_of(ensemble, units));
+  auto const tails = tails_of(ensemble, units);
+  use_tails(e, tails);
   e.transient = transient_of(ensemble, units, levels);
-  e.model = growth_model(ensemble, units, levels, e.tails, e.persistence.p);
+  e.model = growth_model(ensemble, units, levels, tails, e.persistence.p);
   use_model(e);
   return e;
 }

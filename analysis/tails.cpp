@@ -66,15 +66,10 @@ Kurtosis kurtosis_of(Sums const& sums, double M) {
   return {excess, std::erfc(excess / std::sqrt(2 * variance / times)) / 2};
 }
 
-/// Pearson's type III law: P(X ≥ z) and P(X ≤ z) of a standardised variable with this skewness.
-struct BothTails {
-  double upper = 1, lower = 1;
-};
-
-BothTails pearson(double z, double skewness) {
+/// P(X ≥ z) of a standardised variable of this skewness, by Pearson's type III law.
+double pearson_upper(double z, double skewness) {
   double const dof = 8 / (skewness * skewness);
-  double const chi2 = dof + z * std::sqrt(2 * dof);
-  return {chi_squared_upper(chi2, dof), chi_squared_lower(chi2, dof)};
+  return chi_squared_upper(dof + z * std::sqrt(2 * dof), dof);
 }
 
 /// Var(σᵢ²) of normal increments with the variances and neighbouring covariances that are seen.
@@ -107,9 +102,7 @@ TailInference tails_of(Ensemble const& ensemble, Units const& units) {
   double const heavy = 2 * (1 + std::max(0.0, kurtosis.excess) / 2) / (M * n);
   double const relative = std::sqrt(std::max(variance / (mean * mean * M), heavy));
   found.log_error = relative / 2;
-  auto const [upper, lower] = pearson(sums.cross / std::sqrt(sums.variance), sums.third / std::pow(sums.variance, 1.5));
-  found.F_upper = upper;
-  found.F_lower = lower;
+  found.p_signs = pearson_upper(sums.cross / std::sqrt(sums.variance), sums.third / std::pow(sums.variance, 1.5));
   return found;
 }
 

@@ -62,26 +62,11 @@ bool bounded(Estimates const& e) { return does_not_grow(e) && has_settled(e); }
 
 bool slopes_persist(Estimates const& e) { return e.persistence.p < e.levels.test; }
 
-/// The variance at the end over what the law says it is: χ²(M−1)/(M−1), and no law of growth if it is far from it.
-bool ends_as_the_law_says(Estimates const& e) {
-  auto const& law = e.model->law();
-  double const time = e.times.back(), degrees = static_cast<double>(e.members - 1);
-  double const expected = std::hypot(law.slopes * time, law.diffusion * std::sqrt(time), law.noise);
-  double const ratio = e.mean_error.back() / expected;
-  double const chi2 = ratio * ratio * static_cast<double>(e.members) * degrees;
-  return std::min(chi_squared_upper(chi2, degrees), chi_squared_lower(chi2, degrees)) > e.levels.test / 2;
-}
+bool drifts_beside_noise(Estimates const& e) { return noise_in_force(e) && drift_is_seen(e); }
 
-/// The full model has noise, and neither the mean nor the spread at the end contradicts it.
-bool noise_is_told_apart(Estimates const& e) {
-  return exponent_counts(e) && noise_in_force(e) && ends_as_the_law_says(e);
-}
+bool slopes_beside_noise(Estimates const& e) { return noise_in_force(e) && e.model->law().terms.slopes; }
 
-bool drifts_beside_noise(Estimates const& e) { return noise_is_told_apart(e) && drift_is_seen(e); }
-
-bool slopes_beside_noise(Estimates const& e) { return noise_is_told_apart(e) && e.model->law().terms.slopes; }
-
-bool walks_beside_noise(Estimates const& e) { return noise_is_told_apart(e) && e.model->law().terms.walk; }
+bool walks_beside_noise(Estimates const& e) { return noise_in_force(e) && e.model->law().terms.walk; }
 
 bool walks(Estimates const& e) {
   auto const [low, high] = e.growth.interval;
@@ -136,7 +121,8 @@ std::string to_string(Verdict verdict) {
 }
 
 bool noise_in_force(Estimates const& e) {
-  return e.model && e.model->law().terms.noise && e.model->p_course >= e.levels.test;
+  if (!exponent_counts(e) || !e.model || !e.model->law().terms.noise) return false;
+  return std::min(e.model->p_course, e.model->p_end) >= e.levels.test;
 }
 
 Verdict verdict_of(Estimates const& e) {
