@@ -59,4 +59,16 @@ double chi_squared_quantile(double p, double dof) {
   return 2 * boost::math::gamma_p_inv(dof / 2, p, Policy());
 }
 
+double chi_squared_upper(double x, double dof) {
+  keep_gsl_calm();
+  if (std::isnan(x) || !(dof > 0)) return undefined;
+  return x > 0 ? gsl_cdf_chisq_Q(x, dof) : 1;
+}
+
+double chi_squared_lower(double x, double dof) {
+  keep_gsl_calm();
+  if (std::isnan(x) || !(dof > 0)) return undefined;
+  return x > 0 ? gsl_cdf_chisq_P(x, dof) : 0;
+}
+
 }  // namespace brouwer

@@ -23,4 +23,8 @@ double fisher_lower(double F, double m, double n);
 /// The x with P(χ²(dof) ≤ x) = p, 0 < p < 1.
 double chi_squared_quantile(double p, double dof);
 
+/// P(χ²(dof) ≥ x) and P(χ²(dof) ≤ x), dof > 0 of any size; 1 and 0 for x ≤ 0.
+double chi_squared_upper(double x, double dof);
+double chi_squared_lower(double x, double dof);
+
 }  // namespace brouwer

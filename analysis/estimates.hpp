@@ -54,6 +54,55 @@ struct Growth {
   Interval interval;
 };
 
+/// Which parts a law of growth has beside the drift, which it always has.
+struct LawTerms {
+  bool walk = false, slopes = false, noise = false;
+  bool operator==(LawTerms const&) const = default;
+};
+
+/// One law of growth at its restricted maximum likelihood.
+struct Candidate {
+  LawTerms terms;
+  double log_likelihood = 0;  ///< restricted, less that of the richest law: 0 for the best of all, negative below
+  double drift = 0, slopes = 0, diffusion = 0, noise = 0;  ///< β, τ, σ, ν
+};
+
+/// What the data support of e(t) = (β + b)t + σW(t) + νε(t): see growth_model.hpp.
+struct FullModel {
+  std::vector<Candidate> candidates;  ///< walk, walk + slopes, walk + noise, all three, noise, noise + slopes
+  std::size_t chosen = 0;
+  double p_noise = 1, p_walk = 1, p_slopes = 1;  ///< of the tests by which it was chosen
+  double p_course = 1;  ///< small where the mean of the members moves more than independent members let it
+  double p_end = 1;     ///< small where the spread at the end is not what the law says
+  Interval drift, slopes, diffusion, noise;  ///< profile likelihood, of β, τ, σ, ν; [0, 0] of what was not chosen
+  double t = 0, p = 1;                       ///< of β = 0
+  double standard_error = 0;                 ///< of β
+
+  Candidate const& law() const { return candidates[chosen]; }
+};
+
+/// The mean does not begin as it goes on: another slope until some time, a jump in the first step say.
+struct Transient {
+  double until = 0;  ///< the sample time after which the mean follows one straight line
+  double p = 1;      ///< that it is none at all, for all places together
+  Drift after;       ///< β from there on
+};
+
+/// Members far from all others. Set aside where they are few, in which case `drift` and `diffusion` are with them.
+struct FarOff {
+  std::vector<std::int64_t> members;  ///< their numbers, from 0
+  bool set_aside = false;
+  Drift drift;
+  Diffusion diffusion;
+};
+
+/// How the increments are distributed, beside the normal law.
+struct Tails {
+  double kurtosis = 0;    ///< excess, of the increments over √δ: 0 for normal ones
+  double dispersion = 1;  ///< variance of the members' own σ² over that of normal increments
+  bool normal = true;     ///< neither is larger than normal increments explain: χ² and F hold as they are
+};
+
 /// Numbers of something, iterations per step say, over members and samples.
 struct Counted {
   double mean = 0;
@@ -77,6 +126,10 @@ struct Estimates {
   Persistence persistence;
   Diffusion diffusion;
   BoundedNoise noise;
+  Tails tails;
+  std::optional<FullModel> model = {};  ///< none where there is too little to choose from
+  std::optional<Transient> transient = {};
+  FarOff far_off = {};
   Growth growth;
   double smallest_visible_drift = 0;  ///< per step, at levels.test with chance levels.power
   Levels levels;

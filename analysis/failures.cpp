@@ -42,16 +42,22 @@ std::string and_why(Estimates const& e) {
 std::string left_out(Estimates const& e, std::string const& unrecorded) {
   if (e.failed == 0) return "";
   auto const why = and_why(e);
-  return fmt::format("{} of {} members{}", e.failed, e.members + e.failed,
+  return fmt::format("{} of {} members{}", e.failed, members_run(e),
                      why.empty() ? unrecorded : (e.failed == 1 ? " is left out" : " are left out") + why);
 }
 
-std::string members_in_words(Estimates const& e) {
-  if (e.failed == 0) return fmt::format("{} members", e.members);
-  return fmt::format("{} of {} members", e.members, e.members + e.failed);
+std::int64_t members_run(Estimates const& e) {
+  return e.members + e.failed + (e.far_off.set_aside ? std::ssize(e.far_off.members) : 0);
 }
 
-bool same_members(Estimates const& a, Estimates const& b) { return a.members == b.members && a.failed == b.failed; }
+std::string members_in_words(Estimates const& e) {
+  if (e.members == members_run(e)) return fmt::format("{} members", e.members);
+  return fmt::format("{} of {} members", e.members, members_run(e));
+}
+
+bool same_members(Estimates const& a, Estimates const& b) {
+  return a.members == b.members && members_run(a) == members_run(b);
+}
 
 std::string unfinished_in_words(std::int64_t finished, std::int64_t planned, std::size_t cells) {
   auto const all = static_cast<std::int64_t>(cells) * planned;

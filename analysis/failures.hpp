@@ -19,6 +19,9 @@ std::string and_why(Estimates const& e);
 /// them; "" where every member came through.
 std::string left_out(Estimates const& e, std::string const& unrecorded = " failed and are left out");
 
+/// Came through, were set aside or failed.
+std::int64_t members_run(Estimates const& e);
+
 /// "100 members", or "39 of 100 members" where some were left out.
 std::string members_in_words(Estimates const& e);
 

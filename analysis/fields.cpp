@@ -15,7 +15,9 @@
 namespace brouwer {
 namespace {
 
-using Value = std::variant<std::string, bool, std::int64_t, double, Interval>;
+using Candidates = std::vector<Candidate>;
+using Members = std::vector<std::int64_t>;
+using Value = std::variant<std::string, bool, std::int64_t, double, Interval, Candidates, Members>;
 
 /// A key, with a dot where json nests, and its value.
 struct Field {
@@ -25,6 +27,21 @@ struct Field {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr Counted no_count = {undefined, {undefined, undefined}};
+constexpr Interval no_interval = {undefined, undefined};
+FullModel const no_model = {{},          0,           undefined,   undefined,   undefined, undefined, undefined,
+                            no_interval, no_interval, no_interval, no_interval, undefined, undefined, undefined};
+Transient const no_transient = {undefined, undefined, {undefined, no_interval, undefined, undefined, undefined}};
+
+double with_them(Estimates const& e, double value) { return e.far_off.members.empty() ? undefined : value; }
+
+/// "walk + slopes + noise"
+std::string in_words(LawTerms const& terms) {
+  std::vector<std::string> words;
+  if (terms.walk) words.push_back("walk");
+  if (terms.slopes) words.push_back("slopes");
+  if (terms.noise) words.push_back("noise");
+  return fmt::format("{}", fmt::join(words, " + "));
+}
 
 using E = Estimates;
 Field const fields[] = {
@@ -53,8 +70,35 @@ Field const fields[] = {
     {"persistence.F", [](E const& e) -> Value { return e.persistence.F; }},
     {"persistence.p", [](E const& e) -> Value { return e.persistence.p; }},
     {"persistence.p_low", [](E const& e) -> Value { return e.persistence.p_low; }},
+    {"persistence.ci", [](E const& e) -> Value { return e.persistence.interval; }},
     {"diffusion.per_sqrt_step", [](E const& e) -> Value { return e.diffusion.per_sqrt_step; }},
     {"diffusion.ci", [](E const& e) -> Value { return e.diffusion.interval; }},
+    {"noise.size", [](E const& e) -> Value { return e.noise.size; }},
+    {"noise.ci", [](E const& e) -> Value { return e.noise.interval; }},
+    {"tails.kurtosis", [](E const& e) -> Value { return e.tails.kurtosis; }},
+    {"tails.dispersion", [](E const& e) -> Value { return e.tails.dispersion; }},
+    {"tails.normal", [](E const& e) -> Value { return e.tails.normal; }},
+    {"model.chosen", [](E const& e) -> Value { return e.model ? in_words(e.model->law().terms) : ""; }},
+    {"model.candidates", [](E const& e) -> Value { return e.model.value_or(FullModel{}).candidates; }},
+    {"model.p_noise", [](E const& e) -> Value { return e.model.value_or(no_model).p_noise; }},
+    {"model.p_walk", [](E const& e) -> Value { return e.model.value_or(no_model).p_walk; }},
+    {"model.p_slopes", [](E const& e) -> Value { return e.model.value_or(no_model).p_slopes; }},
+    {"model.p_course", [](E const& e) -> Value { return e.model.value_or(no_model).p_course; }},
+    {"model.p_end", [](E const& e) -> Value { return e.model.value_or(no_model).p_end; }},
+    {"model.drift_ci", [](E const& e) -> Value { return e.model.value_or(no_model).drift; }},
+    {"model.slopes_ci", [](E const& e) -> Value { return e.model.value_or(no_model).slopes; }},
+    {"model.diffusion_ci", [](E const& e) -> Value { return e.model.value_or(no_model).diffusion; }},
+    {"model.noise_ci", [](E const& e) -> Value { return e.model.value_or(no_model).noise; }},
+    {"transient.until", [](E const& e) -> Value { return e.transient.value_or(no_transient).until; }},
+    {"transient.p", [](E const& e) -> Value { return e.transient.value_or(no_transient).p; }},
+    {"transient.drift_after", [](E const& e) -> Value { return e.transient.value_or(no_transient).after.per_step; }},
+    {"transient.drift_after_ci", [](E const& e) -> Value { return e.transient.value_or(no_transient).after.interval; }},
+    {"transient.drift_after_p", [](E const& e) -> Value { return e.transient.value_or(no_transient).after.p; }},
+    {"far_off.members", [](E const& e) -> Value { return e.far_off.members; }},
+    {"far_off.set_aside", [](E const& e) -> Value { return e.far_off.set_aside; }},
+    {"far_off.drift_with_them", [](E const& e) -> Value { return with_them(e, e.far_off.drift.per_step); }},
+    {"far_off.diffusion_with_them",
+     [](E const& e) -> Value { return with_them(e, e.far_off.diffusion.per_sqrt_step); }},
     {"growth.exponent", [](E const& e) -> Value { return e.growth.exponent; }},
     {"growth.ci", [](E const& e) -> Value { return e.growth.interval; }},
     {"smallest_visible_drift", [](E const& e) -> Value { return e.smallest_visible_drift; }},
@@ -73,6 +117,16 @@ struct AsJson {
   std::string operator()(std::int64_t n) const { return fmt::format("{}", n); }
   std::string operator()(double x) const { return std::isfinite(x) ? round_trip(x) : "null"; }
   std::string operator()(Interval i) const { return fmt::format("[{}, {}]", (*this)(i.low), (*this)(i.high)); }
+  std::string operator()(Members const& members) const { return fmt::format("[{}]", fmt::join(members, ", ")); }
+  std::string operator()(Candidates const& candidates) const {
+    std::vector<std::string> laws;
+    for (auto const& c : candidates)
+      laws.push_back(fmt::format(R"({{"law": "{}", "log_likelihood": {}, "drift": {}, "slopes": {}, "diffusion": {}, )"
+                                 R"("noise": {}}})",
+                                 in_words(c.terms), (*this)(c.log_likelihood), (*this)(c.drift), (*this)(c.slopes),
+                                 (*this)(c.diffusion), (*this)(c.noise)));
+    return fmt::format("[{}]", fmt::join(laws, ", "));
+  }
 };
 
 /// Numbers that are not defined are empty cells, infinite ones are inf.
@@ -82,6 +136,13 @@ struct AsCsv {
   std::string operator()(std::int64_t n) const { return fmt::format("{}", n); }
   std::string operator()(double x) const { return std::isnan(x) ? "" : round_trip(x); }
   std::string operator()(Interval i) const { return (*this)(i.low) + ',' + (*this)(i.high); }
+  std::string operator()(Members const& members) const { return fmt::format("{}", fmt::join(members, " ")); }
+  /// Their log-likelihoods; the rest is in json.
+  std::string operator()(Candidates const& candidates) const {
+    std::vector<std::string> laws;
+    for (auto const& c : candidates) laws.push_back(in_words(c.terms) + ": " + round_trip(c.log_likelihood));
+    return csv_field(fmt::format("{}", fmt::join(laws, "; ")));
+  }
 };
 
 /// "drift.per_step" → {"drift", "per_step"}; "steps" → {"", "steps"}.

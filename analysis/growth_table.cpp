@@ -8,18 +8,23 @@
 #include "analysis/escape.hpp"
 #include "analysis/factors.hpp"
 #include "analysis/failures.hpp"
+#include "analysis/verdict.hpp"
 
 namespace brouwer {
 namespace {
 
 using Rows = std::vector<Estimates>;
 
-/// A column of numbers or words that every growth table has.
+bool always(Estimates const&) { return true; }
+bool has_noise(Estimates const& e) { return e.noise.size > 0; }
+
+/// A column of numbers or words; a growth table has it where one of its rows has something to say there.
 struct Column {
   char const* plain;
   char const* latex;
   bool left;
   std::string (*cell)(Estimates const&, Notation);
+  bool (*says)(Estimates const&) = always;
 };
 
 Column const columns[] = {
@@ -32,10 +37,19 @@ Column const columns[] = {
     {"F", "$F$", false, [](Estimates const& e, Notation n) { return number(e.persistence.F, 2, n); }},
     {"diffusion σ", "diffusion $\\sigma$", false,
      [](Estimates const& e, Notation n) { return measured(e.diffusion.per_sqrt_step, e.diffusion.interval, n); }},
+    {"noise ν", "noise $\\nu$", false,
+     [](Estimates const& e, Notation n) {
+       return has_noise(e) ? measured(e.noise.size, e.noise.interval, n) : std::string("–");
+     },
+     has_noise},
     {"exponent q", "exponent $q$", false,
      [](Estimates const& e, Notation n) { return measured(e.growth.exponent, e.growth.interval, n); }},
     {"verdict", "verdict", true, [](Estimates const& e, Notation) { return to_string(e.verdict); }},
 };
+
+bool says_something(Column const& column, Rows const& rows) {
+  return std::any_of(rows.begin(), rows.end(), column.says);
+}
 
 std::vector<CellLabels> cells_of(Rows const& rows) {
   std::vector<CellLabels> cells;
@@ -57,15 +71,15 @@ bool alike_in_members(Rows const& rows) {
 /// Members of one study, that were run, whoever of them came through; nothing where that varies.
 std::string shared_members(Rows const& rows) {
   if (alike_in_members(rows)) return members_in_words(rows.front());
-  auto const run = [](Estimates const& e) { return e.members + e.failed; };
-  bool const equal =
-      std::all_of(rows.begin(), rows.end(), [&](auto const& row) { return run(row) == run(rows.front()); });
-  return equal ? fmt::format("{} members", run(rows.front())) : "";
+  auto const run = members_run(rows.front());
+  bool const equal = std::all_of(rows.begin(), rows.end(), [&](auto const& row) { return members_run(row) == run; });
+  return equal ? fmt::format("{} members", run) : "";
 }
 
 /// "39 of 100" where the others were left out.
 std::string members_in_cell(Estimates const& e) {
-  return e.failed == 0 ? fmt::format("{}", e.members) : fmt::format("{} of {}", e.members, e.members + e.failed);
+  auto const run = members_run(e);
+  return e.members == run ? fmt::format("{}", run) : fmt::format("{} of {}", e.members, run);
 }
 
 bool names_quantity(Rows const& rows, CellsAs layout) {
@@ -86,7 +100,9 @@ std::vector<GrowthTable::Heading> headings(Rows const& rows, Factors const& fact
     for (auto const* factor : factors) heads.push_back({factor->name, true});
   if (names_quantity(rows, layout)) heads.push_back({"error of", true});
   if (!alike_in_members(rows)) heads.push_back({"members", false});
-  for (auto const& column : columns) heads.push_back({n == Notation::plain ? column.plain : column.latex, column.left});
+  for (auto const& column : columns)
+    if (says_something(column, rows))
+      heads.push_back({n == Notation::plain ? column.plain : column.latex, column.left});
   return heads;
 }
 
@@ -97,7 +113,8 @@ std::vector<std::string> words(Estimates const& row, Rows const& rows, Factors c
     for (auto const* factor : factors) found.push_back(factor->level(row.cell));
   if (names_quantity(rows, layout)) found.push_back(row.quantity);
   if (!alike_in_members(rows)) found.push_back(members_in_cell(row));
-  for (auto const& column : columns) found.push_back(column.cell(row, notation));
+  for (auto const& column : columns)
+    if (says_something(column, rows)) found.push_back(column.cell(row, notation));
   return found;
 }
 
@@ -109,7 +126,7 @@ std::vector<std::string> legend(Rows const& rows, Notation notation) {
   auto const pick = [&](char const* text, char const* latex) { return std::string(plain ? text : latex); };
   std::string const beta = pick("β", "$\\beta$"), unit = time_unit(rows);
   auto const& levels = rows.front().levels;
-  return {
+  std::vector<std::string> lines = {
       fmt::format("{} is the half of a {:g}{} interval.", pick("±", "$\\pm$"), 100 * levels.confidence,
                   pick(" %", "\\,\\%")),
       fmt::format("drift {}: mean slope shared by all members, per {}; {} = {} / its standard error.", beta, unit,
@@ -125,6 +142,12 @@ std::vector<std::string> legend(Rows const& rows, Notation notation) {
       fmt::format("exponent {}: RMS over members grows as {}; 0.5 is Brouwer's law (random walk), 1 a drift.",
                   pick("q", "$q$"), pick("t^q", "$t^q$")),
   };
+  if (std::any_of(rows.begin(), rows.end(), has_noise))
+    lines.push_back(
+        fmt::format("noise {}: size of the part that does not grow; in such rows {}, t and {} are told apart "
+                    "from it by restricted maximum likelihood.",
+                    pick("ν", "$\\nu$"), beta, pick("σ", "$\\sigma$")));
+  return lines;
 }
 
 std::string failure(Estimates const& row) { return left_out(row, " were left out, their error is not finite"); }
@@ -139,6 +162,13 @@ std::string of_what(Rows const& rows, Estimates const& row) {
       if (failure(other) == failure(row)) alike.push_back(other.quantity);
     }
   return observed > 1 && alike.size() == observed ? "every error" : fmt::format("{}", fmt::join(alike, ", "));
+}
+
+/// Members unlike the others, row by row: their numbers differ from quantity to quantity.
+void add_far_off(std::vector<std::string>& notes, Rows const& rows, Factors const& factors) {
+  for (auto const& row : rows)
+    if (auto const words = far_off_in_words(row); !words.empty())
+      notes.push_back(fmt::format("{}, {}: {}.", short_label(row.cell, factors), row.quantity, words.substr(2)));
 }
 
 std::vector<std::string> failures(Rows const& rows, Factors const& factors) {
@@ -167,6 +197,7 @@ GrowthTable growth_table(Rows const& rows, CellsAs layout, Notation notation) {
                     {},
                     legend(rows, notation),
                     failures(rows, factors)};
+  add_far_off(table.notes, rows, factors);
   for (auto const& cell : cells) {
     bool first = true;
     for (auto const& row : rows)

@@ -9,8 +9,12 @@
 
 #include "analysis/distributions.hpp"
 #include "analysis/failures.hpp"
+#include "analysis/far_off.hpp"
 #include "analysis/growth.hpp"
-#include "analysis/power_law.hpp"
+#include "analysis/growth_model.hpp"
+#include "analysis/tails.hpp"
+#include "analysis/transient.hpp"
+#include "analysis/units.hpp"
 #include "analysis/verdict.hpp"
 
 namespace brouwer {
@@ -29,25 +33,6 @@ struct Sufficient {
   double degrees() const { return members * (samples - 1); }
   double standard_error() const { return std::sqrt(variance / members); }
 };
-
-/// Powers of two that bring errors and times near 1, and the results back. Time's is a power of four: σ is per √time.
-struct Units {
-  double error = 1, time = 1;  ///< what errors and times are multiplied by
-
-  double rate(double scaled) const { return scaled * time / error; }
-  double sqrt_rate(double scaled) const { return scaled * std::sqrt(time) / error; }
-  Interval rate(Interval i) const { return {rate(i.low), rate(i.high)}; }
-  Interval sqrt_rate(Interval i) const { return {sqrt_rate(i.low), sqrt_rate(i.high)}; }
-};
-
-Units units_of(Ensemble const& ensemble) {
-  int const half = std::ilogb(ensemble.times.back()) / 2;
-  return {exact_scale(largest_magnitude(ensemble.errors)), std::ldexp(1, -2 * half)};
-}
-
-Eigen::ArrayXd scaled_times(Ensemble const& ensemble, Units const& units) {
-  return units.time * Eigen::Map<Eigen::ArrayXd const>(ensemble.times.data(), std::ssize(ensemble.times));
-}
 
 /// Σⱼ (Δⱼ − δⱼs)²/δⱼ of one member: what is left of its path when the straight line to its end is taken away.
 template <class Row>
@@ -98,6 +83,30 @@ Diffusion diffusion_of(Sufficient const& s, Units const& units, Levels const& le
   return {units.sqrt_rate(std::sqrt(s.sigma2)), units.sqrt_rate(sigma)};
 }
 
+/// Where the increments are not normal, what holds whatever they are (tails.hpp).
+void use_tails(Estimates& e, TailInference const& found) {
+  e.tails = found.tails;
+  if (found.tails.normal) return;
+  e.persistence.p = std::max(e.persistence.p, found.p_signs);
+  double const dof = static_cast<double>(e.members - 1);
+  double const factor = std::exp(found.log_error * student_upper_quantile((1 - e.levels.confidence) / 2, dof));
+  e.diffusion.interval = {e.diffusion.per_sqrt_step / factor, e.diffusion.per_sqrt_step * factor};
+}
+
+/// The law with noise takes the place of the closed form, if the mean does not contradict it.
+void use_model(Estimates& e) {
+  e.persistence.interval = {undefined, undefined};
+  if (!e.model) return;
+  auto const& model = *e.model;
+  if (!model.law().terms.noise || noise_in_force(e)) e.persistence.interval = model.slopes;
+  if (!noise_in_force(e)) return;
+  e.drift = {model.law().drift, model.drift, model.t, model.p, e.drift.share};
+  e.persistence.per_step = model.law().slopes;
+  e.diffusion = {model.law().diffusion, model.diffusion};
+  e.noise = {model.law().noise, model.noise};
+  e.smallest_visible_drift = model.standard_error * visible_noncentrality(static_cast<double>(e.members - 1), e.levels);
+}
+
 double smallest_visible_drift(Sufficient const& s, Units const& units, Levels const& levels) {
   return units.rate(s.standard_error() * visible_noncentrality(s.members - 1, levels));
 }
@@ -142,7 +151,7 @@ void leave_law_undefined(Estimates& e) {
   Interval const none{undefined, undefined};
   e.smallest_visible_drift = undefined;
   e.drift = {undefined, none, undefined, undefined, undefined};
-  e.persistence = {undefined, undefined, undefined, undefined};
+  e.persistence = {undefined, undefined, undefined, undefined, none};
   e.diffusion = {undefined, none};
   e.growth = {undefined, none};
 }
@@ -166,6 +175,36 @@ Estimates counted(Ensemble const& ensemble, Levels const& levels) {
   leave_law_undefined(e);
   describe_course(ensemble, exact_scale(largest_magnitude(ensemble.errors)), e);
   e.count = {ensemble.errors.mean(), {ensemble.errors.minCoeff(), ensemble.errors.maxCoeff()}};
+  return e;
+}
+
+/// The law of growth of an ensemble, without a verdict.
+Estimates law_of(Ensemble const& ensemble, Levels const& levels) {
+  auto const units = units_of(ensemble);
+  auto const s = sufficient(ensemble, units);
+  Estimates e = described(ensemble, levels);
+  describe_course(ensemble, units.error, e);
+  e.drift = drift_of(s, units, levels);
+  e.drift.share = e.rms_final > 0 ? std::min(1.0, std::abs(e.mean.back()) / e.rms_final) : 0;
+  e.persistence = persistence_of(s, units);
+  e.diffusion = diffusion_of(s, units, levels);
+  e.growth = growth_of(ensemble, levels.confidence);
+  e.smallest_visible_drift = smallest_visible_drift(s, units, levels);
+  auto const tails = tails_of(ensemble, units);
+  use_tails(e, tails);
+  e.transient = transient_of(ensemble, units, levels);
+  e.model = growth_model(ensemble, units, levels, tails, e.persistence.p);
+  use_model(e);
+  return e;
+}
+
+/// The law of all but the members far off, if these are few; both drifts are told.
+Estimates law_beside(std::vector<Eigen::Index> const& far_off, Ensemble const& ensemble, Levels const& levels) {
+  Estimates all = law_of(ensemble, levels);
+  bool const few = are_few(far_off.size(), ensemble.errors.rows());
+  FarOff const found{numbers_of(ensemble, far_off), few, all.drift, all.diffusion};
+  Estimates e = few ? law_of(without(ensemble, far_off), levels) : std::move(all);
+  e.far_off = found;
   return e;
 }
 
@@ -196,17 +235,9 @@ Estimates estimate(Ensemble const& ensemble, Levels const& levels) {
   if (ensemble.errors.rows() == 0 && ensemble.failed > 0) return all_failed(ensemble, levels);
   require_shape(ensemble);
   if (ensemble.count) return judged(counted(ensemble, levels));
-  auto const units = units_of(ensemble);
-  auto const s = sufficient(ensemble, units);
-  Estimates e = described(ensemble, levels);
-  describe_course(ensemble, units.error, e);
-  e.drift = drift_of(s, units, levels);
-  e.drift.share = e.rms_final > 0 ? std::min(1.0, std::abs(e.mean.back()) / e.rms_final) : 0;
-  e.persistence = persistence_of(s, units);
-  e.diffusion = diffusion_of(s, units, levels);
-  e.growth = growth_of(ensemble, levels.confidence);
-  e.smallest_visible_drift = smallest_visible_drift(s, units, levels);
-  return judged(std::move(e));
+  auto const far_off = far_off_members(ensemble, units_of(ensemble));
+  if (far_off.empty()) return judged(law_of(ensemble, levels));
+  return judged(law_beside(far_off, ensemble, levels));
 }
 
 }  // namespace brouwer

@@ -7,43 +7,11 @@
 
 #include "analysis/failures.hpp"
 #include "analysis/numbers.hpp"
+#include "analysis/phrases.hpp"
 #include "analysis/verdict.hpp"
 
 namespace brouwer {
 namespace {
-
-std::string brief(double x) { return number(x, 2); }
-
-/// Two significant digits, and more where the interval would otherwise not show.
-int digits(double value, Interval i) {
-  double const half = (i.high - i.low) / 2;
-  if (!(half > 0) || !std::isfinite(value) || value == 0) return 2;
-  return std::clamp(2 + static_cast<int>(std::floor(std::log10(std::abs(value) / half))), 2, 6);
-}
-
-/// "1.9e-16 per √step (95 %: 1.8e-16 … 2.0e-16"; the caller closes the bracket.
-std::string with_interval(double value, Interval i, std::string const& unit, Estimates const& e) {
-  int const n = digits(value, i);
-  return fmt::format("{}{} ({:g} %: {} … {}", number(value, n), unit, 100 * e.levels.confidence, number(i.low, n),
-                     number(i.high, n));
-}
-
-/// An exponent with two decimals, and no −0.00.
-std::string decimal(double x) {
-  double const rounded = std::round(100 * x) / 100;
-  return (rounded < 0 ? "−" : "") + fmt::format("{:.2f}", std::abs(rounded));
-}
-
-/// "p = 0.84", or the bound below which doubles end.
-std::string p_value(double p) { return p == 0 ? "p < 1e-300" : "p = " + brief(p); }
-
-std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
-
-std::string per(Estimates const& e) { return " per " + e.time_unit; }
-
-std::string per_root(Estimates const& e) {
-  return e.time_unit.find(' ') == std::string::npos ? " per √" + e.time_unit : " per √(" + e.time_unit + ")";
-}
 
 std::string exponent(Estimates const& e) {
   return fmt::format("RMS ∝ t^{} ({} … {})", decimal(e.growth.exponent), decimal(e.growth.interval.low),
@@ -52,18 +20,27 @@ std::string exponent(Estimates const& e) {
 
 std::string t_test(Estimates const& e) { return fmt::format("t = {}, {}", number(e.drift.t, 3), p_value(e.drift.p)); }
 
+/// Where the full model has noise, the other numbers are its own.
+std::string beside_noise(Estimates const& e) {
+  if (!noise_in_force(e)) return "";
+  return fmt::format(", told apart from bounded noise of {}) by restricted maximum likelihood",
+                     with_interval(e.noise.size, e.noise.interval, "", e));
+}
+
 std::string diffusion(Estimates const& e) {
-  return with_interval(e.diffusion.per_sqrt_step, e.diffusion.interval, per_root(e), e) + ")";
+  if (e.diffusion.per_sqrt_step == 0 && noise_in_force(e)) return "no random walk" + beside_noise(e);
+  return with_interval(e.diffusion.per_sqrt_step, e.diffusion.interval, per_root(e), e) + ")" + beside_noise(e);
 }
 
 std::string drift(Estimates const& e) {
-  return fmt::format("{}; {}), which is {} of the final RMS {}",
-                     with_interval(e.drift.per_step, e.drift.interval, per(e), e), t_test(e), percent(e.drift.share),
-                     brief(e.rms_final));
+  return fmt::format("{}; {}), which is {} of the final RMS {}", drift_interval(e.drift, e), t_test(e),
+                     percent(e.drift.share), brief(e.rms_final));
 }
 
 std::string no_drift(Estimates const& e) {
   if (std::isnan(e.drift.t)) return "every error at the end is zero, so there is no drift";
+  if (e.drift.p < e.levels.test && e.transient)
+    return fmt::format("the slope to the end ({}) is no drift: it comes from the beginning", t_test(e));
   return fmt::format("no drift is seen ({}; its estimate explains {} of the final RMS)", t_test(e),
                      percent(e.drift.share));
 }
@@ -91,12 +68,15 @@ std::string drift_sentence(Estimates const& e) {
   return "the error grows on average by " + drift(e) + beside;
 }
 
+std::string slopes_test(Estimates const& e) {
+  if (noise_in_force(e)) return "likelihood ratio, " + p_value(e.model->p_slopes);
+  return fmt::format("F = {}, {}; 1 for a random walk", brief(e.persistence.F), p_value(e.persistence.p));
+}
+
 std::string persistent_sentence(Estimates const& e) {
   return fmt::format(
-      "each member keeps a drift of its own, of standard deviation {}{} (F = {}, {}; 1 for a random walk), "
-      "beside a spread of {}; {}; {}",
-      brief(e.persistence.per_step), per(e), brief(e.persistence.F), p_value(e.persistence.p), diffusion(e),
-      exponent(e), no_drift(e));
+      "each member keeps a drift of its own, of standard deviation {}{} ({}), beside a spread of {}; {}; {}",
+      brief(e.persistence.per_step), per(e), slopes_test(e), diffusion(e), exponent(e), no_drift(e));
 }
 
 std::string bounded_sentence(Estimates const& e) {
@@ -113,7 +93,7 @@ std::string superlinear_sentence(Estimates const& e) {
 }
 
 std::string walk_sentence(Estimates const& e) {
-  std::string const caveat = e.persistence.p_low < e.levels.test
+  std::string const caveat = e.persistence.p_low < e.levels.test && !noise_in_force(e)
                                  ? fmt::format(
                                        "; F = {} is below 1: a part of the error is bounded, and the spread per "
                                        "step is smaller than said",
@@ -132,6 +112,17 @@ std::string members_needed(Estimates const& e) {
                      walk_tolerance);
 }
 
+/// What F far below 1 is due to: what members share moves their mean, noise does not.
+std::string bounded_part(Estimates const& e) {
+  if (!e.model) return "noise, an oscillation";
+  if (e.model->p_course < e.levels.test)
+    return fmt::format(
+        "an oscillation that the members share, an unresolved truncation error, say: their mean moves, {}",
+        p_value(e.model->p_course));
+  return e.model->law().terms.noise ? "noise, or an oscillation that each member has for itself"
+                                    : "noise, an oscillation";
+}
+
 std::string obstacle(Estimates const& e) {
   double const half = (e.growth.interval.high - e.growth.interval.low) / 2;
   if (e.members < 2) return "there is one member only, and drift and persistence show in how members differ; run more";
@@ -143,9 +134,9 @@ std::string obstacle(Estimates const& e) {
                        exponent(e), fewest_members);
   if (e.persistence.F < bounded_F && e.persistence.p_low < e.levels.test)
     return fmt::format(
-        "a bounded part (noise, an oscillation) hides the law: {}, F = {} instead of 1; run longer, or "
+        "a bounded part ({}) hides the law: {}, F = {} instead of 1; run longer, or "
         "compare with the same method in higher precision",
-        exponent(e), brief(e.persistence.F));
+        bounded_part(e), exponent(e), brief(e.persistence.F));
   return fmt::format(
       "{} is neither a random walk's 1/2 nor bounded, and no test of slopes is significant; run longer, "
       "or with more members",
@@ -154,7 +145,7 @@ std::string obstacle(Estimates const& e) {
 
 std::string unresolved_sentence(Estimates const& e) {
   if (e.members < 2) return obstacle(e);
-  bool const sloping = e.drift.p < e.levels.test;
+  bool const sloping = e.drift.p < e.levels.test && !e.transient;
   return obstacle(e) + "; " +
          (sloping ? fmt::format("its mean has a slope ({}), as an oscillation has between any two samples", t_test(e))
                   : no_drift(e));
@@ -204,8 +195,10 @@ std::string counted_things(Estimates const& e) {
 }
 
 std::string sentence_of(Estimates const& e, Verdict verdict) {
+  std::string const course = verdict == Verdict::count ? "" : transient_in_words(e);
   std::string const sight = verdict == Verdict::count ? "" : "; " + visible(e);
-  return capitalised(to_string(verdict)) + ": " + body(e, verdict) + sight + failures(e) + ".";
+  return capitalised(to_string(verdict)) + ": " + body(e, verdict) + course + sight + far_off_in_words(e) +
+         failures(e) + ".";
 }
 
 }  // namespace brouwer

@@ -15,7 +15,10 @@ bool every_error_is_zero(Estimates const& e) {
   return std::all_of(e.rms.begin(), e.rms.end(), [](double rms) { return rms == 0; });
 }
 
-bool drift_is_seen(Estimates const& e) { return e.drift.p < e.levels.test; }
+/// A slope that the first samples alone make is none of the law.
+bool drift_is_seen(Estimates const& e) {
+  return e.drift.p < e.levels.test && (!e.transient || e.transient->after.p < e.levels.test);
+}
 
 bool too_little_to_tell(Estimates const& e) { return e.members < 2 || (e.samples < 2 && !drift_is_seen(e)); }
 
@@ -59,6 +62,12 @@ bool bounded(Estimates const& e) { return does_not_grow(e) && has_settled(e); }
 
 bool slopes_persist(Estimates const& e) { return e.persistence.p < e.levels.test; }
 
+bool drifts_beside_noise(Estimates const& e) { return noise_in_force(e) && drift_is_seen(e); }
+
+bool slopes_beside_noise(Estimates const& e) { return noise_in_force(e) && e.model->law().terms.slopes; }
+
+bool walks_beside_noise(Estimates const& e) { return noise_in_force(e) && e.model->law().terms.walk; }
+
 bool walks(Estimates const& e) {
   auto const [low, high] = e.growth.interval;
   bool const holds_half = low <= walk_exponent && walk_exponent <= high;
@@ -72,12 +81,15 @@ struct Rule {
   bool (*applies)(Estimates const&);
 };
 
-constexpr std::array<Rule, 9> rules = {{
+constexpr std::array<Rule, 12> rules = {{
     {Verdict::count, is_count},
     {Verdict::exact, every_error_is_zero},
     {Verdict::not_resolved, too_little_to_tell},
     {Verdict::faster_than_drift, superlinear},
     {Verdict::bounded, bounded},
+    {Verdict::drift, drifts_beside_noise},
+    {Verdict::persistent_slopes, slopes_beside_noise},
+    {Verdict::random_walk, walks_beside_noise},
     {Verdict::not_resolved, does_not_grow},
     {Verdict::drift, drift_is_seen},
     {Verdict::persistent_slopes, slopes_persist},
@@ -106,6 +118,11 @@ std::string to_string(Verdict verdict) {
       break;
   }
   return "not resolved";
+}
+
+bool noise_in_force(Estimates const& e) {
+  if (!exponent_counts(e) || !e.model || !e.model->law().terms.noise) return false;
+  return std::min(e.model->p_course, e.model->p_end) >= e.levels.test;
 }
 
 Verdict verdict_of(Estimates const& e) {

@@ -28,9 +28,12 @@ constexpr double widest_exponent_half = 0.25;  ///< a wider interval says nothin
 ///     bounded             M ≥ 8, F < 0.5 with P(F' ≤ F) < a, q's interval lies below 0.25, and neither the mean
 ///                         nor the RMS has changed at the level a since the middle of the run in log t (so an offset
 ///                         is no drift, and a walk that just emerges from bounded noise is not called bounded)
+///     drift, persistent   M ≥ 8, the full model has noise, and its p_course and p_end are at least a: the law beside
+///       slopes, or        bounded noise, whatever F and q are. A drift if its p is below a, else what the model has of
+///       random walk       slopes and walk
 ///     not resolved        as bounded, but the mean or the RMS has changed: an oscillation that all members share (a
 ///                         truncation error, say) has a significant slope between any two samples, and is no drift
-///     drift               p of t is below a
+///     drift               p of t is below a, after the transient as well if there is one
 ///     persistent slopes   p of F is below a
 ///     random walk         M ≥ 8, q's interval is at most ±0.25 wide and holds 0.5 or lies inside 0.5 ± 0.1, and F is
 ///                         not far below 1 (as for bounded)
@@ -40,9 +43,20 @@ constexpr double widest_exponent_half = 0.25;  ///< a wider interval says nothin
 /// the drift's share of the final RMS, and the smallest drift that this ensemble could have seen.
 Judgement judge(Estimates const& e);
 
+/// β, τ, σ are of the full model with noise: of M ≥ 8 members it was chosen, and neither the course of the mean nor the
+/// spread at the end contradicts it.
+bool noise_in_force(Estimates const& e);
+
 /// The verdict alone, and its words.
 Verdict verdict_of(Estimates const& e);
 std::string sentence_of(Estimates const& e, Verdict verdict);
+
+/// "; 2 members lie far outside the others (17, 203) and are set aside; with them: drift …"; "" where there are none.
+std::string far_off_in_words(Estimates const& e);
+
+/// "; until 10 steps the mean moves otherwise than later …"; "" where there is no transient, or no test of the drift
+/// depends on it.
+std::string transient_in_words(Estimates const& e);
 
 /// What a count is of: "iterations per step", whether its unit says so or only "per step".
 std::string counted_things(Estimates const& e);

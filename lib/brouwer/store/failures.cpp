@@ -23,7 +23,8 @@ std::vector<Fate> fates_of(UnitRecord const& header, std::int64_t members) {
   return fates;
 }
 
-std::vector<Failures> drop_failed(ErrorMatrix& errors, std::span<Fate const> fates) {
+std::vector<Failures> drop_failed(ErrorMatrix& errors, std::span<Fate const> fates,
+                                  std::vector<std::int64_t>& numbers) {
   std::vector<Failures> failures;
   Eigen::Index kept = 0;
   for (Eigen::Index member = 0; member < errors.rows(); ++member) {
@@ -33,9 +34,11 @@ std::vector<Failures> drop_failed(ErrorMatrix& errors, std::span<Fate const> fat
       continue;
     }
     if (kept < member) errors.row(kept) = errors.row(member);
+    numbers[static_cast<std::size_t>(kept)] = numbers[static_cast<std::size_t>(member)];
     ++kept;
   }
   if (kept < errors.rows()) errors.conservativeResize(kept, Eigen::NoChange);
+  numbers.resize(static_cast<std::size_t>(kept));
   std::stable_sort(failures.begin(), failures.end(),
                    [](auto const& a, auto const& b) { return a.members > b.members; });
   return failures;

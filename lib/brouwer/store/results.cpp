@@ -98,6 +98,14 @@ std::vector<Fate> fates(std::vector<Part> const& parts) {
   return all;
 }
 
+/// Their numbers, in the same order.
+std::vector<std::int64_t> numbers(std::vector<Part> const& parts) {
+  std::vector<std::int64_t> all;
+  for (auto const& part : parts)
+    for (std::int64_t i = 0; i < part.header.members; ++i) all.push_back(part.unit->header.first_member + i);
+  return all;
+}
+
 /// The line `members = …` of a study's canonical text; 0 where there is none.
 std::int64_t members_in(std::string const& canonical_text) {
   auto const key = std::string("\nmembers = ");
@@ -147,7 +155,8 @@ Ensemble Results::load(std::size_t number, std::string const& quantity) const {
   Ensemble ensemble{
       cell.labels, quantity, first.quantity, first.unit, {steps.begin(), steps.end()}, read(parts, std::ssize(steps))};
   ensemble.count = first.count;
-  ensemble.failures = drop_failed(ensemble.errors, fates(parts));
+  ensemble.numbers = numbers(parts);
+  ensemble.failures = drop_failed(ensemble.errors, fates(parts), ensemble.numbers);
   for (auto const& failures : ensemble.failures) ensemble.failed += failures.members;
   return ensemble;
 }

@@ -1,0 +1,132 @@
+#include "analysis/growth_model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "analysis/distributions.hpp"
+#include "analysis/growth_intervals.hpp"
+#include "analysis/growth_likelihood.hpp"
+#include "analysis/noise_score.hpp"
+
+namespace brouwer {
+namespace {
+
+constexpr double only_noise = std::numeric_limits<double>::infinity();  // ρ
+
+constexpr std::array<LawTerms, 6> laws = {{{true, false, false},
+                                           {true, true, false},
+                                           {true, false, true},
+                                           {true, true, true},
+                                           {false, false, true},
+                                           {false, true, true}}};
+
+std::size_t place_of(LawTerms const& terms) {
+  return static_cast<std::size_t>(std::find(laws.begin(), laws.end(), terms) - laws.begin());
+}
+
+GrowthFit fit(GrowthLikelihood const& likelihood, LawTerms const& law) {
+  if (law.walk && law.noise) return likelihood.best(law.slopes);
+  return likelihood.at(law.walk ? 0 : only_noise, law.slopes);
+}
+
+std::array<GrowthFit, laws.size()> fits_of(GrowthLikelihood const& likelihood) {
+  std::array<GrowthFit, laws.size()> fits;
+  for (std::size_t k = 0; k < laws.size(); ++k) fits[k] = fit(likelihood, laws[k]);
+  return fits;
+}
+
+Candidate candidate(LawTerms const& terms, GrowthFit const& fit, double least_deviance, Units const& units) {
+  return {terms,
+          (least_deviance - fit.deviance) / 2,
+          units.rate(fit.slope),
+          units.rate(std::sqrt(fit.tau2)),
+          units.sqrt_rate(std::sqrt(fit.sigma2())),
+          units.size(std::sqrt(fit.nu2()))};
+}
+
+/// How the fits of two laws compare, the smaller one first.
+double p_between(std::array<GrowthFit, laws.size()> const& fits, LawTerms const& smaller, LawTerms const& larger) {
+  return boundary_p(fits[place_of(smaller)].deviance - fits[place_of(larger)].deviance);
+}
+
+LawTerms choose(std::array<GrowthFit, laws.size()> const& fits, double level, double p_signs, FullModel& model) {
+  LawTerms terms{true, true, true};
+  model.p_noise = std::max(model.p_noise, p_between(fits, {true, true, false}, terms));
+  terms.noise = model.p_noise < level;
+  model.p_walk = terms.noise ? p_between(fits, {false, true, true}, terms) : 0;
+  terms.walk = model.p_walk < level;
+  if (terms.noise) model.p_slopes = std::max(p_signs, p_between(fits, {terms.walk, false, true}, terms));
+  terms.slopes = model.p_slopes < level;
+  return terms;
+}
+
+/// Of the mean's course against the rest of the members.
+double course_p(GrowthLikelihood const& likelihood, double rho) {
+  auto const r = likelihood.statistics().at(rho);
+  double const m = likelihood.statistics().times() - 1, n = m * (likelihood.statistics().members() - 1);
+  return fisher_upper(r.course / m / ((r.residual - r.course) / n), m, n);
+}
+
+/// Of the variance of the errors at the end, T²Σ(sᵢ⁰ − s̄⁰)²/(M−1), against what the law says.
+double end_p(GrowthStatistics const& statistics, GrowthFit const& fit) {
+  double const time = statistics.duration(), dof = statistics.members() - 1;
+  double const expected = fit.tau2 + fit.sigma2() / time + fit.nu2() / (time * time);
+  double const chi2 = statistics.slope_spread() / expected;
+  return std::min(1.0, 2 * std::min(chi_squared_upper(chi2, dof), chi_squared_lower(chi2, dof)));
+}
+
+void test_drift(FullModel& model, GrowthFit const& fit, GrowthStatistics const& statistics, Units const& units,
+                double confidence) {
+  double const spread = statistics.at(fit.rho).spread, dof = statistics.members() - 1;
+  double const error = std::sqrt(spread / dof / statistics.members());
+  double const half = error * student_upper_quantile((1 - confidence) / 2, dof);
+  model.standard_error = units.rate(error);
+  model.t = fit.slope / error;
+  model.p = student_two_sided(model.t, dof);
+  model.drift = units.rate(Interval{fit.slope - half, fit.slope + half});
+}
+
+/// How much more uncertain a variance is than one of normal increments.
+double inflation(Tails const& tails) {
+  return tails.normal ? 1 : std::max({1.0, tails.dispersion, 1 + tails.kurtosis / 2});
+}
+
+}  // namespace
+
+double boundary_p(double twice_ratio) {
+  if (!(twice_ratio > 0)) return 1;
+  return std::erfc(std::sqrt(twice_ratio / 2)) / 2;  // half of P(χ²(1) ≥ x)
+}
+
+std::optional<FullModel> growth_model(Ensemble const& ensemble, Units const& units, Levels const& levels,
+                                      TailInference const& tails, double slopes_p) {
+  if (ensemble.errors.rows() < 2 || ensemble.errors.cols() < 3) return std::nullopt;
+  GrowthStatistics const statistics(ensemble, units);
+  auto const closed = statistics.at(0);
+  if (!(statistics.slope_spread() > 0) || !(closed.residual > closed.course) || !(closed.course >= 0))
+    return std::nullopt;
+  GrowthLikelihood const likelihood(statistics);
+  auto const fits = fits_of(likelihood);
+  FullModel model;
+  double const least = std::min_element(fits.begin(), fits.end(), [](auto const& a, auto const& b) {
+                         return a.deviance < b.deviance;
+                       })->deviance;
+  for (std::size_t k = 0; k < laws.size(); ++k) model.candidates.push_back(candidate(laws[k], fits[k], least, units));
+  model.p_noise = noise_score_p(ensemble, units);
+  model.p_slopes = slopes_p;
+  auto const terms = choose(fits, levels.test, tails.p_signs, model);
+  model.chosen = place_of(terms);
+  auto const& chosen = fits[model.chosen];
+  model.p_course = course_p(likelihood, chosen.rho);
+  model.p_end = end_p(statistics, chosen);
+  test_drift(model, chosen, statistics, units, levels.confidence);
+  auto const intervals = profile_intervals(likelihood, chosen, terms, levels.confidence, inflation(tails.tails));
+  model.diffusion = units.sqrt_rate(intervals.sigma);
+  model.slopes = units.rate(intervals.tau);
+  model.noise = units.size(intervals.nu);
+  return model;
+}
+
+}  // namespace brouwer

@@ -1,0 +1,86 @@
+#include "analysis/transient.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/distributions.hpp"
+
+namespace brouwer {
+namespace {
+
+/// Mean and spread over members of some number of each.
+struct Sample {
+  Eigen::ArrayXd values;
+
+  double members() const { return static_cast<double>(values.size()); }
+  double standard_error() const {
+    return std::sqrt((values - values.mean()).square().sum() / (members() - 1) / members());
+  }
+  double t() const { return values.mean() / standard_error(); }
+  double p() const { return student_two_sided(t(), members() - 1); }
+};
+
+class Course {
+ public:
+  Course(Ensemble const& ensemble, Units const& units)
+      : errors_(units.error * ensemble.errors), times_(scaled_times(ensemble, units)) {}
+
+  double time(Eigen::Index k) const { return k < 0 ? 0 : times_[k]; }
+  Eigen::Index last() const { return times_.size() - 1; }
+
+  /// Slopes of the members from sample a to sample b; −1 is time 0.
+  Eigen::ArrayXd slopes(Eigen::Index a, Eigen::Index b) const {
+    Eigen::ArrayXd const end = errors_.col(b).array();
+    return (a < 0 ? end : Eigen::ArrayXd(end - errors_.col(a).array())) / (time(b) - time(a));
+  }
+
+  /// The last sample in the first half of the time after `start`.
+  Eigen::Index halfway(Eigen::Index start) const {
+    Eigen::Index k = start;
+    while (k + 1 < last() && time(k + 1) - time(start) <= (time(last()) - time(start)) / 2) ++k;
+    return k;
+  }
+
+  /// The p of a straight line from sample `start` on: the smallest over all places, times their number.
+  double straight_p(Eigen::Index start) const {
+    Eigen::Index const end = halfway(start);
+    double smallest = 1;
+    for (Eigen::Index k = start + 1; k <= end; ++k)
+      if (double const p = Sample{slopes(start, k) - slopes(k, last())}.p(); p < smallest) smallest = p;
+    return std::min(1.0, smallest * static_cast<double>(end - start));
+  }
+
+ private:
+  Eigen::MatrixXd errors_;  // by columns: one time of all members is read at once
+  Eigen::ArrayXd times_;
+};
+
+/// The first sample after which the mean is straight, between one where it is not and one where it is.
+Eigen::Index settled(Course const& course, Eigen::Index bent, Eigen::Index straight, double level) {
+  while (straight - bent > 1) {
+    Eigen::Index const between = (bent + straight) / 2;
+    (course.straight_p(between) < level ? bent : straight) = between;
+  }
+  return straight;
+}
+
+Drift drift_of(Sample const& slopes, Units const& units, double confidence) {
+  double const half = slopes.standard_error() * student_upper_quantile((1 - confidence) / 2, slopes.members() - 1);
+  double const slope = slopes.values.mean();
+  return {units.rate(slope), units.rate(Interval{slope - half, slope + half}), slopes.t(), slopes.p(), 0};
+}
+
+}  // namespace
+
+std::optional<Transient> transient_of(Ensemble const& ensemble, Units const& units, Levels const& levels) {
+  if (ensemble.errors.rows() < 2 || ensemble.errors.cols() < 3) return std::nullopt;
+  Course const course(ensemble, units);
+  double const p = course.straight_p(-1);
+  Eigen::Index const latest = course.halfway(-1);
+  if (!(p < levels.test) || latest < 0 || course.straight_p(latest) < levels.test) return std::nullopt;
+  Eigen::Index const end = settled(course, -1, latest, levels.test);
+  auto const after = Sample{course.slopes(end, course.last())};
+  return Transient{ensemble.times[static_cast<std::size_t>(end)], p, drift_of(after, units, levels.confidence)};
+}
+
+}  // namespace brouwer
