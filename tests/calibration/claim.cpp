@@ -7,96 +7,111 @@ namespace {
 
 using Answer = std::optional<bool>;
 using Names = std::vector<std::string>;
+using Side = Nominal::Side;
 
-constexpr auto coverage = Nominal::Side::coverage;
-constexpr auto false_alarm = Nominal::Side::false_alarm;
-constexpr auto power = Nominal::Side::power;
+// --- what is asked of a trial -----------------------------------------------------------------------------------------
 
 Answer covers(Interval interval, std::optional<double> truth) {
-  if (!truth) return {};
+  if (!truth || !(interval.low <= interval.high)) return {};
   return interval.low <= *truth && *truth <= interval.high;
 }
 
-/// Members are independent and their errors normal: the laws of β and t are exact whatever else grows or does not.
-Names const normal_slopes = {"walk", "drift",   "visible drift", "slopes",  "noise",
-                             "all",  "bounded", "strong drift",  "AR +0.3", "AR −0.3"};
-Names const no_drift = {"walk", "slopes", "noise",   "bounded", "AR +0.3",   "AR −0.3",    "t(5)",
-                        "t(3)", "skewed", "unequal", "wild",    "transient", "oscillation"};
+/// Asked only where a law of growth was chosen.
+template <class Question>
+Answer of_model(Trial const& t, Question const& question) {
+  return t.estimates.model ? Answer(question(*t.estimates.model)) : Answer();
+}
+
+Answer beta(Trial const& t) { return covers(t.estimates.drift.interval, t.truth.drift); }
+Answer sigma(Trial const& t) { return covers(t.estimates.diffusion.interval, t.truth.diffusion); }
+Answer tau(Trial const& t) { return covers(t.estimates.persistence.interval, t.truth.persistence); }
+Answer q(Trial const& t) { return covers(t.estimates.growth.interval, t.truth.time_exponent); }
+Answer q_of_sweep(Trial const& t) { return t.sweep ? covers(t.sweep->time_interval, t.truth.time_exponent) : Answer(); }
+Answer p_of_sweep(Trial const& t) { return t.sweep ? covers(t.sweep->step_interval, t.truth.step_exponent) : Answer(); }
+Answer nu(Trial const& t) {
+  return t.estimates.noise.size > 0 ? covers(t.estimates.noise.interval, t.truth.noise) : Answer();
+}
+
+Answer drift_at_5(Trial const& t) { return t.estimates.drift.p < 0.05; }
+Answer drift_at_01(Trial const& t) { return t.estimates.drift.p < 0.001; }
+Answer slopes_at_5(Trial const& t) { return t.estimates.persistence.p < 0.05; }
+Answer slopes_at_01(Trial const& t) { return t.estimates.persistence.p < 0.001; }
+Answer low_F_at_5(Trial const& t) { return t.estimates.persistence.p_low < 0.05; }
+
+Answer noise_chosen(Trial const& t) {
+  return of_model(t, [](FullModel const& m) { return m.law().terms.noise; });
+}
+Answer slopes_chosen(Trial const& t) {
+  return of_model(t, [](FullModel const& m) { return m.law().terms.slopes; });
+}
+Answer walk_chosen(Trial const& t) {
+  return of_model(t, [](FullModel const& m) { return m.law().terms.walk; });
+}
+Answer course_at_5(Trial const& t) {
+  return of_model(t, [](FullModel const& m) { return m.p_course < 0.05; });
+}
+Answer end_at_5(Trial const& t) {
+  return of_model(t, [](FullModel const& m) { return m.p_end < 0.05; });
+}
+Answer transient_found(Trial const& t) { return t.estimates.transient.has_value(); }
+Answer members_far_off(Trial const& t) { return !t.estimates.far_off.members.empty(); }
+Answer called_drift(Trial const& t) { return t.estimates.verdict == Verdict::drift; }
+Answer called_walk(Trial const& t) { return t.estimates.verdict == Verdict::random_walk; }
+
+// --- of which models --------------------------------------------------------------------------------------------------
+
+Names operator+(Names some, Names const& others) {
+  some.insert(some.end(), others.begin(), others.end());
+  return some;
+}
+
 Names const brownian = {"walk", "drift", "visible drift", "strong drift"};
-Names const brownian_or_slopes = {"walk", "drift", "visible drift", "strong drift", "slopes"};
-Names const no_slopes = {"walk", "drift", "visible drift", "strong drift", "noise", "AR +0.3",   "AR −0.3",
-                         "t(5)", "t(3)",  "skewed",        "unequal",      "wild",  "transient", "oscillation"};
+Names const correlated = {"AR +0.3", "AR −0.3"};
+Names const heavy = {"t(5)", "t(3)", "skewed", "unequal", "wild"};
+Names const shared = {"transient", "oscillation"};
+Names const noisy = {"noise", "all"};
+/// Members are independent and their errors normal: the laws of β and t are exact whatever else grows or does not.
+Names const normal = brownian + correlated + noisy + Names{"slopes", "bounded"};
+Names const no_drift = Names{"walk", "slopes", "noise", "bounded"} + correlated + heavy + shared;
+Names const no_slopes = brownian + Names{"noise"} + correlated + heavy + shared;
+Names const no_noise = brownian + Names{"slopes"} + correlated + heavy + shared;
+
+// --- and how often it is to be so -------------------------------------------------------------------------------------
+
+constexpr Nominal covered{0.95, 0, Side::coverage};
+constexpr Nominal nearly_covered{0.95, 0.025, Side::coverage};  // approximations, as their docstrings say
+constexpr Nominal at_5{0.05, 0, Side::false_alarm};
+constexpr Nominal at_01{0.001, 0, Side::false_alarm};
+constexpr Nominal at_half{0.005, 0, Side::false_alarm};
+constexpr Nominal visible{0.9, 0.003, Side::power};
+constexpr Nominal told{};
 
 std::vector<Claim> const all = {
-    {"95 % interval of β",
-     {0.95, 0, coverage},
-     [](Trial const& t) { return covers(t.estimates.drift.interval, t.truth.drift); },
-     {},
-     normal_slopes},
-    {"95 % interval of σ",
-     {0.95, 0, coverage},
-     [](Trial const& t) { return covers(t.estimates.diffusion.interval, t.truth.diffusion); },
-     {},
-     brownian_or_slopes},
-    {"95 % interval of q",
-     {0.95, 0.025, coverage},
-     [](Trial const& t) { return covers(t.estimates.growth.interval, t.truth.time_exponent); },
-     {},
-     {"walk", "bounded", "sweep"},
-     4},
-    {"95 % interval of p in a sweep",
-     {0.95, 0.025, coverage},
-     [](Trial const& t) { return t.sweep ? covers(t.sweep->step_interval, t.truth.step_exponent) : Answer(); },
-     {},
-     {"sweep"},
-     4},
-    {"95 % interval of q in a sweep",
-     {0.95, 0.025, coverage},
-     [](Trial const& t) { return t.sweep ? covers(t.sweep->time_interval, t.truth.time_exponent) : Answer(); },
-     {},
-     {"sweep"},
-     4},
-    {"drift where there is none, p < 0.05",
-     {0.05, 0, false_alarm},
-     [](Trial const& t) { return Answer(t.estimates.drift.p < 0.05); },
-     no_drift,
-     normal_slopes},
-    {"drift where there is none, p < 0.001",
-     {0.001, 0, false_alarm},
-     [](Trial const& t) { return Answer(t.estimates.drift.p < 0.001); },
-     no_drift,
-     normal_slopes,
-     2,
-     true},
-    {"slopes where there are none, p of F < 0.05",
-     {0.05, 0, false_alarm},
-     [](Trial const& t) { return Answer(t.estimates.persistence.p < 0.05); },
-     no_slopes,
-     brownian},
-    {"slopes where there are none, p of F < 0.001",
-     {0.001, 0, false_alarm},
-     [](Trial const& t) { return Answer(t.estimates.persistence.p < 0.001); },
-     no_slopes,
-     brownian,
-     2,
-     true},
-    {"F too small for a walk, p < 0.05",
-     {0.05, 0, false_alarm},
-     [](Trial const& t) { return Answer(t.estimates.persistence.p_low < 0.05); },
-     no_slopes,
-     brownian},
-    {"verdict 'drift' of a walk",
-     {0.001, 0, false_alarm},
-     [](Trial const& t) { return Answer(t.estimates.verdict == Verdict::drift); },
-     no_drift,
-     {"walk", "slopes", "noise"},
-     2,
-     true},
-    {"the smallest visible drift is seen, p < 0.001",
-     {0.9, 0.003, power},
-     [](Trial const& t) { return Answer(t.estimates.drift.p < 0.001); },
-     {"visible drift"},
-     {"visible drift"}},
+    {"95 % interval of β", covered, beta, {}, normal},
+    {"95 % interval of σ", covered, sigma, {}, brownian + Names{"slopes"}},
+    {"95 % interval of τ", nearly_covered, tau, {}, brownian + Names{"slopes"}, 8},
+    {"95 % interval of ν, where noise is found", nearly_covered, nu, {}, noisy + Names{"bounded"}, 8},
+    {"95 % interval of q", nearly_covered, q, {}, {"walk", "bounded", "sweep"}, 4},
+    {"95 % interval of p in a sweep", nearly_covered, p_of_sweep, {}, {"sweep"}, 4},
+    {"95 % interval of q in a sweep", nearly_covered, q_of_sweep, {}, {"sweep"}, 4},
+    {"drift where there is none, p < 0.05", at_5, drift_at_5, no_drift, normal},
+    {"drift where there is none, p < 0.001", at_01, drift_at_01, no_drift, normal, 2, true},
+    {"slopes where there are none, p < 0.05", at_5, slopes_at_5, no_slopes, brownian},
+    {"slopes where there are none, p < 0.001", at_01, slopes_at_01, no_slopes, brownian, 2, true},
+    {"F too small for a walk, p < 0.05", at_5, low_F_at_5, no_slopes, brownian},
+    {"noise chosen where there is none", at_01, noise_chosen, no_noise, brownian + Names{"slopes"}, 2, true},
+    {"slopes chosen beside noise where there are none", at_01, slopes_chosen, {"noise", "bounded"}, {"noise"}, 8},
+    {"walk chosen where there is only noise", at_01, walk_chosen, {"bounded"}, {"bounded"}, 8},
+    {"mean of the members not straight, p < 0.05", at_5, course_at_5, normal + heavy, brownian + Names{"slopes"}},
+    {"spread at the end not the law's, p < 0.05", at_5, end_at_5, normal + heavy, {}},
+    {"members called far off, none is", at_half, members_far_off, normal + heavy, brownian + Names{"t(5)"}, 2, true},
+    {"transient found where there is none", at_01, transient_found, normal + heavy, normal, 2, true},
+    {"verdict 'drift' where there is none", at_01, called_drift, no_drift, {"walk", "slopes", "noise"}, 2, true},
+    {"the smallest visible drift is seen, p < 0.001", visible, drift_at_01, {"visible drift"}, {"visible drift"}},
+    {"power: noise is chosen", told, noise_chosen, noisy + Names{"bounded"}, {}},
+    {"power: slopes are chosen", told, slopes_chosen, {"slopes", "all"}, {}},
+    {"power: a transient is found", told, transient_found, shared, {}},
+    {"power: the verdict is 'random walk'", told, called_walk, {"walk", "noise", "t(5)", "wild"}, {}},
 };
 
 bool contains(Names const& names, Model const& model) {

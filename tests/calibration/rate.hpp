@@ -20,7 +20,7 @@ struct Rate {
 struct Nominal {
   double rate = 0;
   double slack = 0;  ///< an approximation is promised to within this
-  enum class Side { coverage, false_alarm, power } side = Side::coverage;
+  enum class Side { told, coverage, false_alarm, power } side = Side::told;  ///< told: no rate is nominal
 };
 
 /// The chance with which a rate that is nominal leaves its bounds, on one side. So small, because hundreds are shown.

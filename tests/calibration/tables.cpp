@@ -34,9 +34,12 @@ std::vector<Case> cases_of(std::size_t number, std::vector<Tally> const& tallies
   return cases;
 }
 
+/// Is a rate nominal at all?
+bool has_bounds(Nominal const& nominal) { return nominal.side != Nominal::Side::told; }
+
 /// Two digits after the point where 0.1 % matters, one otherwise.
 std::string percent(double share, Nominal const& nominal) {
-  bool const rare = std::min(nominal.rate, 1 - nominal.rate) < 0.01;
+  bool const rare = has_bounds(nominal) && nominal.rate < 0.01;
   return fmt::format("{:.{}f}", 100 * share, rare ? 2 : 1);
 }
 
@@ -79,6 +82,7 @@ std::vector<Case> promised(std::vector<Case> cases) {
 }
 
 std::string cell(Case const& c, Nominal const& nominal) {
+  if (!has_bounds(nominal)) return percent(c.rate.value(), nominal);
   auto const text = percent(c.rate.value(), nominal) + " " + mark(c);
   return c.promised ? text : "(" + text + ")";
 }
@@ -102,7 +106,7 @@ std::string claim_table(std::size_t number, std::vector<Tally> const& tallies) {
     within.push_back(range(bounds(claim.nominal, design.trials), claim.nominal));
   }
   TextTable table(header);
-  table.add(within);
+  if (has_bounds(claim.nominal)) table.add(within);
   for (auto const& model : models()) {
     std::vector<std::string> line = {model.name};
     for (auto const& design : columns) {
@@ -144,6 +148,7 @@ std::string summary_table(std::vector<Tally> const& tallies) {
   for (std::size_t k = 0; k < claims().size(); ++k) {
     auto const& nominal = claims()[k].nominal;
     auto const cases = promised(cases_of(k, tallies));
+    if (cases.empty()) continue;
     auto const out = std::count_if(cases.begin(), cases.end(), [](auto& c) { return c.standing == Standing::fails; });
     auto const& worst = worst_of(cases, nominal);
     table.add({claims()[k].name, nominal_words(nominal), fmt::format("{} cases", cases.size()),
