@@ -202,7 +202,7 @@ Estimates law_of(Ensemble const& ensemble, Levels const& levels) {
 Estimates law_beside(std::vector<Eigen::Index> const& far_off, Ensemble const& ensemble, Levels const& levels) {
   Estimates all = law_of(ensemble, levels);
   bool const few = are_few(far_off.size(), ensemble.errors.rows());
-  FarOff const found{numbers_of(ensemble, far_off), few, all.drift, all.diffusion};
+  FarOff const found{names_of(ensemble, far_off), few, all.drift, all.diffusion};
   Estimates e = few ? law_of(without(ensemble, far_off), levels) : std::move(all);
   e.far_off = found;
   return e;

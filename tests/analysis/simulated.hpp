@@ -14,6 +14,7 @@ namespace brouwer {
 struct Law {
   double drift = 0, persistence = 0, diffusion = 0, noise = 0;
   bool phase = false;  ///< the time integral of all this, as an angle has it
+  bool heavy = false;  ///< increments of the walk have Student's t(5) law, of the same variance
 };
 
 /// Random numbers with a fixed seed, the same on every machine.
@@ -23,6 +24,7 @@ class Normal {
     gsl_rng_set(rng_.get(), seed);
   }
   double operator()() { return gsl_ran_gaussian_ziggurat(rng_.get(), 1); }
+  double heavy() { return gsl_ran_tdist(rng_.get(), 5) * std::sqrt(3.0 / 5); }
 
  private:
   std::unique_ptr<gsl_rng, void (*)(gsl_rng*)> rng_;
@@ -47,7 +49,7 @@ inline Ensemble simulated(Law const& law, int members, std::vector<double> times
     double walk = 0, angle = 0, last = 0;
     for (Eigen::Index j = 0; j < row.size(); ++j) {
       double const time = times[static_cast<std::size_t>(j)];
-      walk += law.diffusion * std::sqrt(time - last) * normal();
+      walk += law.diffusion * std::sqrt(time - last) * (law.heavy ? normal.heavy() : normal());
       double const error = slope * time + walk + law.noise * normal();
       angle += error * (time - last);
       last = time;
