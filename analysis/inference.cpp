@@ -190,10 +190,9 @@ Estimates law_of(Ensemble const& ensemble, Levels const& levels) {
   e.diffusion = diffusion_of(s, units, levels);
   e.growth = growth_of(ensemble, levels.confidence);
   e.smallest_visible_drift = smallest_visible_drift(s, units, levels);
-  auto const tails = tails_of(ensemble, units);
-  use_tails(e, tails);
+  use_tails(e, tails_of(ensemble, units));
   e.transient = transient_of(ensemble, units, levels);
-  e.model = growth_model(ensemble, units, levels, tails, e.persistence.p);
+  e.model = growth_model(ensemble, units, levels, e.tails, e.persistence.p);
   use_model(e);
   return e;
 }

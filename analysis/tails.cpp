@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "analysis/distributions.hpp"
 #include "analysis/member_blocks.hpp"
@@ -79,6 +80,18 @@ double normal_variance(Sums const& sums, double M) {
   return 2 * squares / ((M - 1) * (M - 1)) / (n * n);
 }
 
+/// From the last time backwards, the next one at most half the one before.
+std::vector<Eigen::Index> doubling_places(std::vector<double> const& times) {
+  std::vector<Eigen::Index> places;
+  double limit = times.back();
+  for (auto j = std::ssize(times) - 1; j >= 0; --j)
+    if (double const time = times[static_cast<std::size_t>(j)]; time <= limit) {
+      places.insert(places.begin(), j);
+      limit = time / 2;
+    }
+  return places;
+}
+
 }  // namespace
 
 TailInference tails_of(Ensemble const& ensemble, Units const& units) {
@@ -104,6 +117,14 @@ TailInference tails_of(Ensemble const& ensemble, Units const& units) {
   found.log_error = relative / 2;
   found.p_signs = pearson_upper(sums.cross / std::sqrt(sums.variance), sums.third / std::pow(sums.variance, 1.5));
   return found;
+}
+
+double doubling_signs_p(Ensemble const& ensemble, Units const& units) {
+  auto const places = doubling_places(ensemble.times);
+  Ensemble coarse;
+  for (auto const place : places) coarse.times.push_back(ensemble.times[static_cast<std::size_t>(place)]);
+  coarse.errors = ErrorMatrix(ensemble.errors(Eigen::all, places));
+  return tails_of(coarse, units).p_signs;
 }
 
 }  // namespace brouwer

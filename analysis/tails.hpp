@@ -27,4 +27,8 @@ struct TailInference {
 ///
 TailInference tails_of(Ensemble const& ensemble, Units const& units);
 
+/// p_signs at the times t_J, about t_J/2, t_J/4 … alone: bounded noise makes neighbouring increments differ in sign, and
+/// hides slopes the more the more increments there are.
+double doubling_signs_p(Ensemble const& ensemble, Units const& units);
+
 }  // namespace brouwer
