@@ -52,12 +52,13 @@ std::vector<Eigen::Index> far_off_members(Ensemble const& ensemble, Units const&
   auto const [ends, own] = places_of(MemberBlocks(ensemble, units, times));
   auto const M = static_cast<double>(members), n = static_cast<double>(times - 1);
   double const centre = median(ends), furthest = bound(M) * median_distance(ends, centre);
+  if (!(furthest > 0)) return {};
   // t(5) increments of standard deviation 1 have the quartile 0.7267·√(3/5)
   double const increment = n > 0 ? bound(M * n) * heavy_quartile * std::sqrt(3.0 / 5) : 0;
   double const largest = median(own) * (1 + increment * increment / n);
   std::vector<Eigen::Index> found;
   for (std::size_t i = 0; i < ends.size(); ++i)
-    if ((furthest > 0 && std::abs(ends[i] - centre) > furthest) || (largest > 0 && own[i] > largest))
+    if (std::abs(ends[i] - centre) > furthest || (largest > 0 && own[i] > largest))
       found.push_back(static_cast<Eigen::Index>(i));
   return found;
 }

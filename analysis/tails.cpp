@@ -67,6 +67,20 @@ Kurtosis kurtosis_of(Sums const& sums, double M) {
   return {excess, std::erfc(excess / std::sqrt(2 * variance / times)) / 2};
 }
 
+/// The same of all times together, which takes increments of a walk to be of one size: more can be seen of few members.
+Kurtosis pooled_kurtosis(Sums const& sums, double M, Eigen::ArrayXd const& u) {
+  Eigen::ArrayXd const left = 1 - u.square() / u.square().sum();  // of the variance, without the line to the end
+  double second = 0, fourth = 0, times = 0;
+  for (Eigen::Index j = 0; j < left.size(); ++j)
+    if (left[j] > 0.1) {
+      second += sums.squares[j] / left[j] / (M - 1);
+      fourth += sums.fourth[j] / (left[j] * left[j]) * M / ((M - 1) * (M - 1));
+      ++times;
+    }
+  double const excess = second > 0 ? fourth * times / (second * second) - 3 : 0;
+  return {excess, std::erfc(excess / std::sqrt(2 * 24 / (M * times))) / 2};
+}
+
 /// P(X ≥ z) of a standardised variable of this skewness, by Pearson's type III law.
 double pearson_upper(double z, double skewness) {
   double const dof = 8 / (skewness * skewness);
@@ -108,11 +122,12 @@ TailInference tails_of(Ensemble const& ensemble, Units const& units) {
   if (!(sums.own > 0) || !(sums.variance > 0)) return {};
   auto const M = static_cast<double>(members), n = static_cast<double>(times - 1);
   double const mean = sums.own / M, variance = (sums.own_squares - mean * sums.own) / (M - 1);
-  auto const kurtosis = kurtosis_of(sums, M);
+  auto const kurtosis = kurtosis_of(sums, M), pooled = pooled_kurtosis(sums, M, blocks.u());
   TailInference found;
   found.tails = {kurtosis.excess, variance / normal_variance(sums, M), true};
-  found.tails.normal = kurtosis.p > level && chi_squared_upper((M - 1) * found.tails.dispersion, M - 1) > level;
-  double const heavy = 2 * (1 + std::max(0.0, kurtosis.excess) / 2) / (M * n);
+  found.tails.normal =
+      std::min(kurtosis.p, pooled.p) > level && chi_squared_upper((M - 1) * found.tails.dispersion, M - 1) > level;
+  double const heavy = 2 * (1 + std::max({0.0, kurtosis.excess, pooled.excess}) / 2) / (M * n);
   double const relative = std::sqrt(std::max(variance / (mean * mean * M), heavy));
   found.log_error = relative / 2;
   found.p_signs = pearson_upper(sums.cross / std::sqrt(sums.variance), sums.third / std::pow(sums.variance, 1.5));
