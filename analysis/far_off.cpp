@@ -55,7 +55,9 @@ std::vector<Eigen::Index> far_off_members(Ensemble const& ensemble, Units const&
   if (!(furthest > 0)) return {};
   // t(5) increments of standard deviation 1 have the quartile 0.7267·√(3/5)
   double const increment = n > 0 ? bound(M * n) * heavy_quartile * std::sqrt(3.0 / 5) : 0;
-  double const largest = median(own) * (1 + increment * increment / n);
+  double const typical =
+      n > 0 ? median(own) / (1 - 2 / (3 * n)) : 0;  // the median of a sum of squares is below its mean
+  double const largest = typical * (1 + increment * increment / n);
   std::vector<Eigen::Index> found;
   for (std::size_t i = 0; i < ends.size(); ++i)
     if (std::abs(ends[i] - centre) > furthest || (largest > 0 && own[i] > largest))
