@@ -9,7 +9,7 @@ namespace brouwer {
 namespace {
 
 /// The first few; the others are in json.
-std::string numbers(std::vector<std::int64_t> const& members) {
+std::string listed(std::vector<std::string> const& members) {
   constexpr std::size_t shown = 8;
   if (members.size() <= shown) return fmt::format("{}", fmt::join(members, ", "));
   return fmt::format("{}, …", fmt::join(members.begin(), members.begin() + shown, ", "));
@@ -31,7 +31,7 @@ std::string far_off_in_words(Estimates const& e) {
   if (count == 0) return "";
   auto const of_all = static_cast<double>(e.members) + (e.far_off.set_aside ? static_cast<double>(count) : 0);
   std::string const who = fmt::format("{} {} far outside the others ({})", count,
-                                      count == 1 ? "member lies" : "members lie", numbers(e.far_off.members));
+                                      count == 1 ? "member lies" : "members lie", listed(e.far_off.members));
   if (!e.far_off.set_aside)
     return "; " + who +
            fmt::format(": {} of all, a population of their own and not set aside",

@@ -52,6 +52,8 @@ Ensemble LongTable::finish(CsvLines const& lines) {
 void LongTable::fill(CsvLines const& lines) {
   auto const row = ranks(members_.names(), member_before);
   auto const column = ranks(times_.times(), std::less<>{});
+  ensemble_.names.resize(row.size());
+  for (std::size_t i = 0; i < row.size(); ++i) ensemble_.names[static_cast<std::size_t>(row[i])] = members_.names()[i];
   ensemble_.errors.setConstant(std::ssize(row), std::ssize(column), std::numeric_limits<double>::quiet_NaN());
   for (auto const& o : observations_) {
     double& place = ensemble_.errors(row[o.member], column[o.time]);

@@ -91,6 +91,7 @@ Ensemble read_wide_form(CsvLines& lines, CsvHeader const& header, CsvFields firs
   require_an_ensemble(lines, ensemble, "");
   ensemble.quantity = ensemble.family = "error";
   ensemble.time_unit = unit;
+  if (!header.names.empty()) ensemble.names.assign(header.names.begin() + 1, header.names.end());
   return ensemble;
 }
 

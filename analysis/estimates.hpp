@@ -90,7 +90,7 @@ struct Transient {
 
 /// Members far from all others. Set aside where they are few, in which case `drift` and `diffusion` are with them.
 struct FarOff {
-  std::vector<std::int64_t> members;  ///< their numbers, from 0
+  std::vector<std::string> members;  ///< their names; of a study, their numbers from 0
   bool set_aside = false;
   Drift drift;
   Diffusion diffusion;

@@ -10,7 +10,7 @@ namespace brouwer {
 namespace {
 
 constexpr Eigen::Index fewest_members = 8;
-constexpr double few = 0.05;
+constexpr double few = 0.1;
 constexpr double level = 0.005;
 constexpr double heavy = 5;                      // degrees of freedom of the tails that are still nothing special
 constexpr double heavy_quartile = 0.7266868438;  // of t(5), at 3/4: its median distance from 0
@@ -52,12 +52,15 @@ std::vector<Eigen::Index> far_off_members(Ensemble const& ensemble, Units const&
   auto const [ends, own] = places_of(MemberBlocks(ensemble, units, times));
   auto const M = static_cast<double>(members), n = static_cast<double>(times - 1);
   double const centre = median(ends), furthest = bound(M) * median_distance(ends, centre);
+  if (!(furthest > 0)) return {};
   // t(5) increments of standard deviation 1 have the quartile 0.7267·√(3/5)
   double const increment = n > 0 ? bound(M * n) * heavy_quartile * std::sqrt(3.0 / 5) : 0;
-  double const largest = median(own) * (1 + increment * increment / n);
+  double const typical =
+      n > 0 ? median(own) / (1 - 2 / (3 * n)) : 0;  // the median of a sum of squares is below its mean
+  double const largest = typical * (1 + increment * increment / n);
   std::vector<Eigen::Index> found;
   for (std::size_t i = 0; i < ends.size(); ++i)
-    if ((furthest > 0 && std::abs(ends[i] - centre) > furthest) || (largest > 0 && own[i] > largest))
+    if (std::abs(ends[i] - centre) > furthest || (largest > 0 && own[i] > largest))
       found.push_back(static_cast<Eigen::Index>(i));
   return found;
 }
@@ -66,11 +69,11 @@ bool are_few(std::size_t far_off, Eigen::Index members) {
   return far_off == 1 || static_cast<double>(far_off) <= few * static_cast<double>(members);
 }
 
-std::vector<std::int64_t> numbers_of(Ensemble const& ensemble, std::vector<Eigen::Index> const& rows) {
-  std::vector<std::int64_t> numbers;
+std::vector<std::string> names_of(Ensemble const& ensemble, std::vector<Eigen::Index> const& rows) {
+  std::vector<std::string> names;
   for (auto const row : rows)
-    numbers.push_back(ensemble.numbers.empty() ? row : ensemble.numbers[static_cast<std::size_t>(row)]);
-  return numbers;
+    names.push_back(ensemble.names.empty() ? std::to_string(row) : ensemble.names[static_cast<std::size_t>(row)]);
+  return names;
 }
 
 Ensemble without(Ensemble const& ensemble, std::vector<Eigen::Index> const& rows) {
@@ -79,7 +82,7 @@ Ensemble without(Ensemble const& ensemble, std::vector<Eigen::Index> const& rows
     if (!std::binary_search(rows.begin(), rows.end(), i)) kept.push_back(i);
   Ensemble rest = ensemble;
   rest.errors = ErrorMatrix(ensemble.errors(kept, Eigen::all));
-  rest.numbers = numbers_of(ensemble, kept);
+  rest.names = names_of(ensemble, kept);
   return rest;
 }
 

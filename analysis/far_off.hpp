@@ -15,11 +15,11 @@ namespace brouwer {
 /// Where the median distance is 0, or of fewer than 8 members, nobody is far off.
 std::vector<Eigen::Index> far_off_members(Ensemble const& ensemble, Units const& units);
 
-/// As many of `members` are few: one, or up to 5 in 100. More are a population of their own.
+/// As many of `members` are few: one, or up to 10 in 100. More are a population of their own.
 bool are_few(std::size_t far_off, Eigen::Index members);
 
 /// Of the members in these rows.
-std::vector<std::int64_t> numbers_of(Ensemble const& ensemble, std::vector<Eigen::Index> const& rows);
+std::vector<std::string> names_of(Ensemble const& ensemble, std::vector<Eigen::Index> const& rows);
 
 /// The ensemble without these rows, which are in ascending order.
 Ensemble without(Ensemble const& ensemble, std::vector<Eigen::Index> const& rows);

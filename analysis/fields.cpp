@@ -16,7 +16,7 @@ namespace brouwer {
 namespace {
 
 using Candidates = std::vector<Candidate>;
-using Members = std::vector<std::int64_t>;
+using Members = std::vector<std::string>;
 using Value = std::variant<std::string, bool, std::int64_t, double, Interval, Candidates, Members>;
 
 /// A key, with a dot where json nests, and its value.
@@ -117,7 +117,11 @@ struct AsJson {
   std::string operator()(std::int64_t n) const { return fmt::format("{}", n); }
   std::string operator()(double x) const { return std::isfinite(x) ? round_trip(x) : "null"; }
   std::string operator()(Interval i) const { return fmt::format("[{}, {}]", (*this)(i.low), (*this)(i.high)); }
-  std::string operator()(Members const& members) const { return fmt::format("[{}]", fmt::join(members, ", ")); }
+  std::string operator()(Members const& members) const {
+    std::vector<std::string> names;
+    for (auto const& member : members) names.push_back(json_string(member));
+    return fmt::format("[{}]", fmt::join(names, ", "));
+  }
   std::string operator()(Candidates const& candidates) const {
     std::vector<std::string> laws;
     for (auto const& c : candidates)
@@ -136,7 +140,7 @@ struct AsCsv {
   std::string operator()(std::int64_t n) const { return fmt::format("{}", n); }
   std::string operator()(double x) const { return std::isnan(x) ? "" : round_trip(x); }
   std::string operator()(Interval i) const { return (*this)(i.low) + ',' + (*this)(i.high); }
-  std::string operator()(Members const& members) const { return fmt::format("{}", fmt::join(members, " ")); }
+  std::string operator()(Members const& members) const { return csv_field(fmt::format("{}", fmt::join(members, " "))); }
   /// Their log-likelihoods; the rest is in json.
   std::string operator()(Candidates const& candidates) const {
     std::vector<std::string> laws;

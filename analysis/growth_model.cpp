@@ -57,7 +57,8 @@ LawTerms choose(std::array<GrowthFit, laws.size()> const& fits, double level, do
   terms.noise = model.p_noise < level;
   model.p_walk = terms.noise ? p_between(fits, {false, true, true}, terms) : 0;
   terms.walk = model.p_walk < level;
-  if (terms.noise) model.p_slopes = std::max(p_signs, p_between(fits, {terms.walk, false, true}, terms));
+  if (terms.noise) model.p_slopes = p_between(fits, {terms.walk, false, true}, {terms.walk, true, true});
+  if (terms.noise && terms.walk) model.p_slopes = std::max(model.p_slopes, p_signs);
   terms.slopes = model.p_slopes < level;
   return terms;
 }
@@ -101,7 +102,7 @@ double boundary_p(double twice_ratio) {
 }
 
 std::optional<FullModel> growth_model(Ensemble const& ensemble, Units const& units, Levels const& levels,
-                                      TailInference const& tails, double slopes_p) {
+                                      Tails const& tails, double slopes_p) {
   if (ensemble.errors.rows() < 2 || ensemble.errors.cols() < 3) return std::nullopt;
   GrowthStatistics const statistics(ensemble, units);
   auto const closed = statistics.at(0);
@@ -116,13 +117,13 @@ std::optional<FullModel> growth_model(Ensemble const& ensemble, Units const& uni
   for (std::size_t k = 0; k < laws.size(); ++k) model.candidates.push_back(candidate(laws[k], fits[k], least, units));
   model.p_noise = noise_score_p(ensemble, units);
   model.p_slopes = slopes_p;
-  auto const terms = choose(fits, levels.test, tails.p_signs, model);
+  auto const terms = choose(fits, levels.test, doubling_signs_p(ensemble, units), model);
   model.chosen = place_of(terms);
   auto const& chosen = fits[model.chosen];
   model.p_course = course_p(likelihood, chosen.rho);
   model.p_end = end_p(statistics, chosen);
   test_drift(model, chosen, statistics, units, levels.confidence);
-  auto const intervals = profile_intervals(likelihood, chosen, terms, levels.confidence, inflation(tails.tails));
+  auto const intervals = profile_intervals(likelihood, chosen, terms, levels.confidence, inflation(tails));
   model.diffusion = units.sqrt_rate(intervals.sigma);
   model.slopes = units.rate(intervals.tau);
   model.noise = units.size(intervals.nu);

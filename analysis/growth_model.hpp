@@ -15,7 +15,7 @@ namespace brouwer {
 ///     noise    walk + slopes + noise against walk + slopes; and the members' scores of ν² = 0, studentised over
 ///              members, must agree: 2Δ alone takes heavy tails of the increments for noise
 ///     walk     if there is noise: the same against noise + slopes
-///     slopes   if there is noise: the chosen one against itself without, and the signs of the increments (tails.hpp) must
+///     slopes   if there is noise: the chosen one against itself without, and beside a walk its signs (doubling_signs_p) must
 ///              agree; without noise: the F test, whose p is given
 ///
 /// Intervals: β̂ ± t(M−1)·√(v̂/M) with v̂ the members' spread about β̂, which is the closed form where there is no noise; σ,
@@ -31,7 +31,7 @@ namespace brouwer {
 /// @return nothing where there is no choice: M < 2, J < 3, members that do not differ, a rest that is zero
 /// Cost: MJ²/2 multiplications and about 5000 J²; 10⁵ members at 200 times: see docs/statistics.md.
 std::optional<FullModel> growth_model(Ensemble const& ensemble, Units const& units, Levels const& levels,
-                                      TailInference const& tails, double slopes_p);
+                                      Tails const& tails, double slopes_p);
 
 /// P(½χ²(0) + ½χ²(1) ≥ x): of twice a log-likelihood ratio with one variance at its boundary. 1 for x ≤ 0.
 double boundary_p(double twice_ratio);

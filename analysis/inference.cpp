@@ -190,10 +190,9 @@ Estimates law_of(Ensemble const& ensemble, Levels const& levels) {
   e.diffusion = diffusion_of(s, units, levels);
   e.growth = growth_of(ensemble, levels.confidence);
   e.smallest_visible_drift = smallest_visible_drift(s, units, levels);
-  auto const tails = tails_of(ensemble, units);
-  use_tails(e, tails);
+  use_tails(e, tails_of(ensemble, units));
   e.transient = transient_of(ensemble, units, levels);
-  e.model = growth_model(ensemble, units, levels, tails, e.persistence.p);
+  e.model = growth_model(ensemble, units, levels, e.tails, e.persistence.p);
   use_model(e);
   return e;
 }
@@ -202,7 +201,7 @@ Estimates law_of(Ensemble const& ensemble, Levels const& levels) {
 Estimates law_beside(std::vector<Eigen::Index> const& far_off, Ensemble const& ensemble, Levels const& levels) {
   Estimates all = law_of(ensemble, levels);
   bool const few = are_few(far_off.size(), ensemble.errors.rows());
-  FarOff const found{numbers_of(ensemble, far_off), few, all.drift, all.diffusion};
+  FarOff const found{names_of(ensemble, far_off), few, all.drift, all.diffusion};
   Estimates e = few ? law_of(without(ensemble, far_off), levels) : std::move(all);
   e.far_off = found;
   return e;

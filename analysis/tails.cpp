@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "analysis/distributions.hpp"
 #include "analysis/member_blocks.hpp"
@@ -66,6 +67,20 @@ Kurtosis kurtosis_of(Sums const& sums, double M) {
   return {excess, std::erfc(excess / std::sqrt(2 * variance / times)) / 2};
 }
 
+/// The same of all times together, which takes increments of a walk to be of one size: more can be seen of few members.
+Kurtosis pooled_kurtosis(Sums const& sums, double M, Eigen::ArrayXd const& u) {
+  Eigen::ArrayXd const left = 1 - u.square() / u.square().sum();  // of the variance, without the line to the end
+  double second = 0, fourth = 0, times = 0;
+  for (Eigen::Index j = 0; j < left.size(); ++j)
+    if (left[j] > 0.1) {
+      second += sums.squares[j] / left[j] / (M - 1);
+      fourth += sums.fourth[j] / (left[j] * left[j]) * M / ((M - 1) * (M - 1));
+      ++times;
+    }
+  double const excess = second > 0 ? fourth * times / (second * second) - 3 : 0;
+  return {excess, std::erfc(excess / std::sqrt(2 * 24 / (M * times))) / 2};
+}
+
 /// P(X ≥ z) of a standardised variable of this skewness, by Pearson's type III law.
 double pearson_upper(double z, double skewness) {
   double const dof = 8 / (skewness * skewness);
@@ -77,6 +92,18 @@ double normal_variance(Sums const& sums, double M) {
   auto const n = static_cast<double>(sums.squares.size() - 1);
   double const squares = sums.squares.square().sum() + 2 * sums.neighbours.square().sum();
   return 2 * squares / ((M - 1) * (M - 1)) / (n * n);
+}
+
+/// From the last time backwards, the next one at most half the one before.
+std::vector<Eigen::Index> doubling_places(std::vector<double> const& times) {
+  std::vector<Eigen::Index> places;
+  double limit = times.back();
+  for (auto j = std::ssize(times) - 1; j >= 0; --j)
+    if (double const time = times[static_cast<std::size_t>(j)]; time <= limit) {
+      places.insert(places.begin(), j);
+      limit = time / 2;
+    }
+  return places;
 }
 
 }  // namespace
@@ -95,15 +122,24 @@ TailInference tails_of(Ensemble const& ensemble, Units const& units) {
   if (!(sums.own > 0) || !(sums.variance > 0)) return {};
   auto const M = static_cast<double>(members), n = static_cast<double>(times - 1);
   double const mean = sums.own / M, variance = (sums.own_squares - mean * sums.own) / (M - 1);
-  auto const kurtosis = kurtosis_of(sums, M);
+  auto const kurtosis = kurtosis_of(sums, M), pooled = pooled_kurtosis(sums, M, blocks.u());
   TailInference found;
   found.tails = {kurtosis.excess, variance / normal_variance(sums, M), true};
-  found.tails.normal = kurtosis.p > level && chi_squared_upper((M - 1) * found.tails.dispersion, M - 1) > level;
-  double const heavy = 2 * (1 + std::max(0.0, kurtosis.excess) / 2) / (M * n);
+  found.tails.normal =
+      std::min(kurtosis.p, pooled.p) > level && chi_squared_upper((M - 1) * found.tails.dispersion, M - 1) > level;
+  double const heavy = 2 * (1 + std::max({0.0, kurtosis.excess, pooled.excess}) / 2) / (M * n);
   double const relative = std::sqrt(std::max(variance / (mean * mean * M), heavy));
   found.log_error = relative / 2;
   found.p_signs = pearson_upper(sums.cross / std::sqrt(sums.variance), sums.third / std::pow(sums.variance, 1.5));
   return found;
+}
+
+double doubling_signs_p(Ensemble const& ensemble, Units const& units) {
+  auto const places = doubling_places(ensemble.times);
+  Ensemble coarse;
+  for (auto const place : places) coarse.times.push_back(ensemble.times[static_cast<std::size_t>(place)]);
+  coarse.errors = ErrorMatrix(ensemble.errors(Eigen::all, places));
+  return tails_of(coarse, units).p_signs;
 }
 
 }  // namespace brouwer

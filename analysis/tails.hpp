@@ -12,10 +12,10 @@ struct TailInference {
 
 /// χ² intervals of σ and the F test take the increments for normal. t(5)-distributed ones, or members of which each has
 /// its own σᵢ, make σ̂² several times as uncertain. Both show in the ensemble, as excess kurtosis of the increments over
-/// √δ, or as spread of the members' own σᵢ² (`dispersion`): where either is larger than normal increments explain at the
+/// √δ (time by time, and of all together), or as spread of the members' own σᵢ² (`dispersion`): where either is larger than normal increments explain at the
 /// level 0.05, each, and M ≥ 4,
 ///
-///     log σ̂² ± t(M−1) s          s² = max(var(σᵢ²)/(Mσ̂⁴), 2(1 + kurtosis/2)/(M(J−1)))
+///     log σ̂² ± t(M−1) s          s² = max(var(σᵢ²)/(Mσ̂⁴), 2(1 + kurtosis/2)/(M(J−1))), the larger kurtosis
 ///     Σᵢ (Σⱼ uⱼxᵢⱼ)² − Σⱼ δⱼxᵢⱼ²      beside F: 0 in the mean for independent increments xᵢⱼ over √δⱼ
 ///                                 (less their means over members)
 ///
@@ -26,5 +26,9 @@ struct TailInference {
 /// calibration_test.cpp), coverage of σ's 95 % interval, and false alarms of F at the level 0.05, in %:
 ///
 TailInference tails_of(Ensemble const& ensemble, Units const& units);
+
+/// p_signs at the times t_J, about t_J/2, t_J/4 … alone: bounded noise makes neighbouring increments differ in sign, and
+/// hides slopes the more the more increments there are.
+double doubling_signs_p(Ensemble const& ensemble, Units const& units);
 
 }  // namespace brouwer

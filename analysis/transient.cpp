@@ -8,6 +8,8 @@
 namespace brouwer {
 namespace {
 
+constexpr double early = 0.25;  // of the whole time: what begins later is no beginning
+
 /// Mean and spread over members of some number of each.
 struct Sample {
   Eigen::ArrayXd values;
@@ -34,16 +36,14 @@ class Course {
     return (a < 0 ? end : Eigen::ArrayXd(end - errors_.col(a).array())) / (time(b) - time(a));
   }
 
-  /// The last sample in the first half of the time after `start`.
-  Eigen::Index halfway(Eigen::Index start) const {
-    Eigen::Index k = start;
-    while (k + 1 < last() && time(k + 1) - time(start) <= (time(last()) - time(start)) / 2) ++k;
-    return k;
+  /// −1 where there is none.
+  Eigen::Index last_before(double time) const {
+    return std::upper_bound(times_.begin(), times_.end(), time) - times_.begin() - 1;
   }
 
   /// The p of a straight line from sample `start` on: the smallest over all places, times their number.
   double straight_p(Eigen::Index start) const {
-    Eigen::Index const end = halfway(start);
+    Eigen::Index const end = last_before((time(start) + time(last())) / 2);
     double smallest = 1;
     for (Eigen::Index k = start + 1; k <= end; ++k)
       if (double const p = Sample{slopes(start, k) - slopes(k, last())}.p(); p < smallest) smallest = p;
@@ -75,8 +75,9 @@ Drift drift_of(Sample const& slopes, Units const& units, double confidence) {
 std::optional<Transient> transient_of(Ensemble const& ensemble, Units const& units, Levels const& levels) {
   if (ensemble.errors.rows() < 2 || ensemble.errors.cols() < 3) return std::nullopt;
   Course const course(ensemble, units);
+  if (!(Sample{course.slopes(-1, course.last())}.standard_error() > 0)) return std::nullopt;  // equal members
   double const p = course.straight_p(-1);
-  Eigen::Index const latest = course.halfway(-1);
+  Eigen::Index const latest = course.last_before(early * course.time(course.last()));
   if (!(p < levels.test) || latest < 0 || course.straight_p(latest) < levels.test) return std::nullopt;
   Eigen::Index const end = settled(course, -1, latest, levels.test);
   auto const after = Sample{course.slopes(end, course.last())};

@@ -11,7 +11,7 @@ namespace brouwer {
 /// slope after: its mean over members is 0 under every law of growth of the model, with a variance that the members
 /// themselves tell, so that d̄√M/sd(d) ~ t(M−1) for normal errors, whatever τ, σ and ν are. A p below a/K in one of the K
 /// places (Bonferroni) is a mean that is not straight. The first sample from which on the same scan of what is left
-/// finds nothing ends the transient (bisection). If none up to half the time does, there is no transient but another
+/// finds nothing ends the transient (bisection). If none in the first quarter of the time does, there is no transient but another
 /// law, or an oscillation, and nothing is returned.
 /// False alarms of a random walk, a = 0.05: at most 5 %; measured with 16 members 2.6 %, as the places depend on one
 /// another.

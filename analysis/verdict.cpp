@@ -121,7 +121,7 @@ std::string to_string(Verdict verdict) {
 }
 
 bool noise_in_force(Estimates const& e) {
-  if (!exponent_counts(e) || !e.model || !e.model->law().terms.noise) return false;
+  if (!exponent_counts(e) || e.samples < fewest_times || !e.model || !e.model->law().terms.noise) return false;
   return std::min(e.model->p_course, e.model->p_end) >= e.levels.test;
 }
 

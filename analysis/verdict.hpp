@@ -12,6 +12,7 @@ struct Judgement {
 
 /// Thresholds of the verdict that are not levels of tests; they are conventions, stated here once.
 constexpr std::int64_t fewest_members = 8;     ///< below, no verdict rests on the growth exponent
+constexpr std::int64_t fewest_times = 8;       ///< below, none rests on telling noise from a walk
 constexpr double superlinear_exponent = 1.2;   ///< between a drift's 1 and the 3/2 of a phase driven by a walk
 constexpr double bounded_exponent = 0.25;      ///< between bounded noise's 0 and a walk's 1/2
 constexpr double bounded_F = 0.5;              ///< F below it, significantly: more than a walk's bridges explain
@@ -28,7 +29,7 @@ constexpr double widest_exponent_half = 0.25;  ///< a wider interval says nothin
 ///     bounded             M ≥ 8, F < 0.5 with P(F' ≤ F) < a, q's interval lies below 0.25, and neither the mean
 ///                         nor the RMS has changed at the level a since the middle of the run in log t (so an offset
 ///                         is no drift, and a walk that just emerges from bounded noise is not called bounded)
-///     drift, persistent   M ≥ 8, the full model has noise, and its p_course and p_end are at least a: the law beside
+///     drift, persistent   M ≥ 8, J ≥ 8, the full model has noise, and its p_course and p_end are at least a: the law beside
 ///       slopes, or        bounded noise, whatever F and q are. A drift if its p is below a, else what the model has of
 ///       random walk       slopes and walk
 ///     not resolved        as bounded, but the mean or the RMS has changed: an oscillation that all members share (a
@@ -43,7 +44,7 @@ constexpr double widest_exponent_half = 0.25;  ///< a wider interval says nothin
 /// the drift's share of the final RMS, and the smallest drift that this ensemble could have seen.
 Judgement judge(Estimates const& e);
 
-/// β, τ, σ are of the full model with noise: of M ≥ 8 members it was chosen, and neither the course of the mean nor the
+/// β, τ, σ are of the full model with noise: of M ≥ 8 members at J ≥ 8 times it was chosen, and neither the course of the mean nor the
 /// spread at the end contradicts it.
 bool noise_in_force(Estimates const& e);
 

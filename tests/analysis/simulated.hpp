@@ -12,6 +12,7 @@ namespace brouwer {
 /// A random number of mean 0 and variance 1.
 using Shape = double (*)(gsl_rng*);
 inline double normal_shape(gsl_rng* rng) { return gsl_ran_gaussian_ziggurat(rng, 1); }
+inline double student_5(gsl_rng* rng) { return gsl_ran_tdist(rng, 5) * std::sqrt(3.0 / 5); }
 
 /// e(t) = (drift + persistence·N) t + diffusion·W(t) + noise·N: the model of the inference, with bounded noise beside
 /// it. What follows `phase` leaves the model.

@@ -15,9 +15,7 @@ constexpr double spread = 2e-14;
 
 constexpr double wild_share = 0.01, wild_factor = 30;
 
-double student(gsl_rng* rng, double dof) { return gsl_ran_tdist(rng, dof) * std::sqrt((dof - 2) / dof); }
-double student_5(gsl_rng* rng) { return student(rng, 5); }
-double student_3(gsl_rng* rng) { return student(rng, 3); }
+double student_3(gsl_rng* rng) { return gsl_ran_tdist(rng, 3) * std::sqrt(1.0 / 3); }
 double uniform(gsl_rng* rng) { return gsl_rng_uniform(rng); }
 double skewed(gsl_rng* rng) { return gsl_ran_exponential(rng, 1) - 1; }
 

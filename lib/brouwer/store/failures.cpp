@@ -24,7 +24,7 @@ std::vector<Fate> fates_of(UnitRecord const& header, std::int64_t members) {
 }
 
 std::vector<Failures> drop_failed(ErrorMatrix& errors, std::span<Fate const> fates,
-                                  std::vector<std::int64_t>& numbers) {
+                                  std::vector<std::string>& names) {
   std::vector<Failures> failures;
   Eigen::Index kept = 0;
   for (Eigen::Index member = 0; member < errors.rows(); ++member) {
@@ -33,12 +33,14 @@ std::vector<Failures> drop_failed(ErrorMatrix& errors, std::span<Fate const> fat
       count(failures, fate);
       continue;
     }
-    if (kept < member) errors.row(kept) = errors.row(member);
-    numbers[static_cast<std::size_t>(kept)] = numbers[static_cast<std::size_t>(member)];
+    if (kept < member) {
+      errors.row(kept) = errors.row(member);
+      names[static_cast<std::size_t>(kept)] = std::move(names[static_cast<std::size_t>(member)]);
+    }
     ++kept;
   }
   if (kept < errors.rows()) errors.conservativeResize(kept, Eigen::NoChange);
-  numbers.resize(static_cast<std::size_t>(kept));
+  names.resize(static_cast<std::size_t>(kept));
   std::stable_sort(failures.begin(), failures.end(),
                    [](auto const& a, auto const& b) { return a.members > b.members; });
   return failures;

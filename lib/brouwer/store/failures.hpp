@@ -21,8 +21,8 @@ std::vector<Fate> fates_of(UnitRecord const& header, std::int64_t members);
 /// Cuts off the members that failed, and those of which an error is not finite; the others keep their order.
 /// @param errors  members × samples
 /// @param fates   of the same members
-/// @param numbers of the same members, of which those that are cut off are cut off as well
+/// @param names   of the same members, of which those that are cut off are cut off as well
 /// @return who was cut off, by reason, those of most members first; "" is the reason of those of whom none is recorded
-std::vector<Failures> drop_failed(ErrorMatrix& errors, std::span<Fate const> fates, std::vector<std::int64_t>& numbers);
+std::vector<Failures> drop_failed(ErrorMatrix& errors, std::span<Fate const> fates, std::vector<std::string>& names);
 
 }  // namespace brouwer

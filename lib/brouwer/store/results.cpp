@@ -98,11 +98,11 @@ std::vector<Fate> fates(std::vector<Part> const& parts) {
   return all;
 }
 
-/// Their numbers, in the same order.
-std::vector<std::int64_t> numbers(std::vector<Part> const& parts) {
-  std::vector<std::int64_t> all;
+/// Their numbers in the study, in the same order.
+std::vector<std::string> names(std::vector<Part> const& parts) {
+  std::vector<std::string> all;
   for (auto const& part : parts)
-    for (std::int64_t i = 0; i < part.header.members; ++i) all.push_back(part.unit->header.first_member + i);
+    for (std::int64_t i = 0; i < part.header.members; ++i) all.push_back(std::to_string(part.unit->header.first_member + i));
   return all;
 }
 
@@ -155,8 +155,8 @@ Ensemble Results::load(std::size_t number, std::string const& quantity) const {
   Ensemble ensemble{
       cell.labels, quantity, first.quantity, first.unit, {steps.begin(), steps.end()}, read(parts, std::ssize(steps))};
   ensemble.count = first.count;
-  ensemble.numbers = numbers(parts);
-  ensemble.failures = drop_failed(ensemble.errors, fates(parts), ensemble.numbers);
+  ensemble.names = names(parts);
+  ensemble.failures = drop_failed(ensemble.errors, fates(parts), ensemble.names);
   for (auto const& failures : ensemble.failures) ensemble.failed += failures.members;
   return ensemble;
 }

@@ -23,7 +23,7 @@ struct Ensemble {
   std::int64_t failed = 0;    ///< members left out because they failed: no next state, or an error that is not finite
   std::string time_unit = "step";          ///< of `times`; "time unit" for ensembles of other programs
   std::vector<Failures> failures = {};     ///< of the members left out, by reason, those of most members first
-  std::vector<std::int64_t> numbers = {};  ///< of the members in the rows; where empty, row i is member i
+  std::vector<std::string> names = {};  ///< of the members in the rows; where empty, row i is member i
   bool count = false;  ///< `errors` are numbers of something (iterations per step): no law of growth
 };
 

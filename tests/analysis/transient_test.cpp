@@ -1,0 +1,83 @@
+// A beginning that is unlike the rest is found, dated, and no drift.
+#include "analysis/transient.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "analysis/inference.hpp"
+#include "tests/analysis/simulated.hpp"
+
+namespace brouwer {
+namespace {
+
+using testing::HasSubstr;
+
+/// Every member jumps by about the same in the first step.
+Ensemble jumping(double jump) {
+  auto ensemble = simulated({.diffusion = 2e-16}, 64, log_spaced(24, 1e4), 7ul);
+  ensemble.errors.array() += jump;
+  return ensemble;
+}
+
+TEST(Transient, OfAJumpInTheFirstStepEndsThere) {
+  auto const e = estimate(jumping(1e-14), {});  // half of what the walk spreads to
+  ASSERT_TRUE(e.transient.has_value());
+  EXPECT_EQ(e.transient->until, 1);
+  EXPECT_LT(e.transient->p, 1e-20);
+}
+
+TEST(Transient, DoesNotFakeADrift) {
+  auto const e = estimate(jumping(1e-13), {});
+  EXPECT_LT(e.drift.p, e.levels.test) << "the slope to the end is significant";
+  ASSERT_TRUE(e.transient.has_value());
+  EXPECT_GT(e.transient->after.p, e.levels.test);
+  EXPECT_NE(e.verdict, Verdict::drift) << e.sentence;
+  EXPECT_THAT(e.sentence, HasSubstr("until 1.00 steps the mean moves otherwise than later"));
+}
+
+TEST(Transient, LeavesADriftAfterItWhatItIs) {
+  auto ensemble = jumping(1e-14);
+  for (std::size_t j = 0; j < ensemble.times.size(); ++j)
+    ensemble.errors.col(static_cast<Eigen::Index>(j)).array() += 2e-17 * ensemble.times[j];
+  auto const e = estimate(ensemble, {});
+  EXPECT_EQ(e.verdict, Verdict::drift);
+  ASSERT_TRUE(e.transient.has_value());
+  EXPECT_LE(e.transient->after.interval.low, 2e-17);
+  EXPECT_GE(e.transient->after.interval.high, 2e-17);
+}
+
+TEST(Transient, OfANonLinearBeginningEndsWhereItEnds) {
+  auto ensemble = simulated({.diffusion = 1}, 64, log_spaced(32, 1e4), 9ul);
+  for (std::size_t j = 0; j < ensemble.times.size(); ++j)  // grows like t² up to t = 100, then stays
+    ensemble.errors.col(static_cast<Eigen::Index>(j)).array() +=
+        100 * std::min(1.0, std::pow(ensemble.times[j] / 100, 2));
+  auto const e = estimate(ensemble, {});
+  ASSERT_TRUE(e.transient.has_value());
+  EXPECT_GE(e.transient->until, 50);
+  EXPECT_LE(e.transient->until, 200);
+}
+
+TEST(Transient, IsNoneWhereTheMeanNeverBecomesStraight) {
+  auto const e =
+      estimate(simulated({.drift = 2e-17, .diffusion = 2e-16, .phase = true}, 64, log_spaced(32, 1e5), 5ul), {});
+  EXPECT_FALSE(e.transient.has_value()) << "t² is a law, and no beginning";
+}
+
+class StraightMeans : public testing::TestWithParam<int> {};
+
+TEST_P(StraightMeans, RaiseNoMoreFalseAlarmsThanTheLevelSays) {
+  Levels const levels{.confidence = 0.95, .test = 0.05, .power = 0.9};
+  Normal normal(13);
+  int alarms = 0;
+  constexpr int trials = 400;
+  for (int k = 0; k < trials; ++k) {
+    Law const law{.drift = 0.3, .persistence = 0.01, .diffusion = 1, .noise = 2, .shape = student_5};
+    auto const ensemble = simulated(law, GetParam(), log_spaced(16, 1e4), normal);
+    alarms += transient_of(ensemble, units_of(ensemble), levels).has_value();
+  }
+  EXPECT_LE(alarms, trials * 0.05 + 4 * std::sqrt(trials * 0.05 * 0.95));
+}
+INSTANTIATE_TEST_SUITE_P(Members, StraightMeans, testing::Values(8, 64));
+
+}  // namespace
+}  // namespace brouwer
