@@ -10,6 +10,7 @@
 #include "analysis/distributions.hpp"
 #include "analysis/failures.hpp"
 #include "analysis/growth.hpp"
+#include "analysis/increments.hpp"
 #include "analysis/power_law.hpp"
 #include "analysis/verdict.hpp"
 
@@ -206,6 +207,7 @@ Estimates estimate(Ensemble const& ensemble, Levels const& levels) {
   e.diffusion = diffusion_of(s, units, levels);
   e.growth = growth_of(ensemble, levels.confidence);
   e.smallest_visible_drift = smallest_visible_drift(s, units, levels);
+  e.increments = increment_tests(ensemble, levels);
   return judged(std::move(e));
 }
 
