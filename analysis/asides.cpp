@@ -22,8 +22,8 @@ std::string transient_in_words(Estimates const& e) {
   auto const& after = e.transient->after;
   if (e.drift.p >= e.levels.test && after.p >= e.levels.test) return "";
   return fmt::format("; until {} {} the mean moves otherwise than later ({}), and from there on by {}; t = {}, {})",
-                     number(e.transient->until, 3), e.time_unit + "s", p_value(e.transient->p),
-                     drift_interval(after, e), number(after.t, 3), p_value(after.p));
+                     number(e.transient->until, 3), e.time_unit + "s", probability(e.transient->p),
+                     drift_interval(after, e), number(after.t, 3), probability(after.p));
 }
 
 std::string far_off_in_words(Estimates const& e) {
@@ -39,7 +39,7 @@ std::string far_off_in_words(Estimates const& e) {
   return "; " + who +
          fmt::format(" and {} set aside; with {}: drift {}; t = {}, {}), σ = {}", count == 1 ? "is" : "are",
                      count == 1 ? "it" : "them", drift_interval(e.far_off.drift, e), number(e.far_off.drift.t, 3),
-                     p_value(e.far_off.drift.p), brief(e.far_off.diffusion.per_sqrt_step) + per_root(e));
+                     probability(e.far_off.drift.p), brief(e.far_off.diffusion.per_sqrt_step) + per_root(e));
 }
 
 }  // namespace brouwer

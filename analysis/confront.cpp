@@ -22,8 +22,6 @@ struct Test {
   bool significant(double p) const { return p < level(); }
 };
 
-std::string probability(double p) { return p < 1e-300 ? "p < 1e-300" : "p = " + number(p, 2); }
-
 /// The estimates state it at Levels::test; at another level it goes with the noncentrality that is seen there.
 double smallest_visible_drift(Test const& test) {
   auto const visible = [&](double level) {

@@ -6,17 +6,19 @@
 
 #include <brouwer/store/record.hpp>
 
-namespace brouwer {
+#include "analysis/increment_tests.hpp"
+#include "analysis/interval.hpp"
+#include "analysis/multiplicity.hpp"
 
-struct Interval {
-  double low = 0, high = 0;
-};
+namespace brouwer {
 
 /// How sure: levels of the tests and of the intervals, stated beside every result.
 struct Levels {
   double confidence = 0.95;  ///< of intervals
   double test = 0.001;       ///< two-sided level at which a drift, or persistence, is called seen
   double power = 0.9;        ///< chance with which the "smallest visible drift" is seen at that level
+  std::optional<Correction> correction =
+      {};  ///< where many drifts are tested at once; unset: what a study says, or none
 };
 
 /// β, the drift shared by the ensemble, per unit of time (per step for our own runs).
@@ -25,6 +27,9 @@ struct Drift {
   Interval interval;
   double t = 0, p = 1;
   double share = 0;  ///< effect size: |β| t_J / RMS at the end, 0 … 1: how much of the final error it explains
+  std::optional<double> adjusted_p =
+      {};  ///< p corrected for all drifts that are tested beside it, where that was asked
+  double deciding_p() const { return adjusted_p.value_or(p); }
 };
 
 /// τ, the standard deviation of the members' own persistent drifts; F(M−1, M(J−1)).
@@ -134,9 +139,10 @@ struct Estimates {
   double smallest_visible_drift = 0;  ///< per step, at levels.test with chance levels.power
   Levels levels;
   Verdict verdict = Verdict::not_resolved;
-  std::string sentence;                 ///< the verdict in words, with the numbers that carry it
-  std::string time_unit = "step";       ///< what drift is per, for people: "step", "time unit"
-  std::vector<Failures> failures = {};  ///< of the members left out, by reason, those of most members first
+  std::string sentence;                      ///< the verdict in words, with the numbers that carry it
+  std::string time_unit = "step";            ///< what drift is per, for people: "step", "time unit"
+  std::vector<Failures> failures = {};       ///< of the members left out, by reason, those of most members first
+  std::optional<IncrementTests> increments;  ///< none where there are no increments, or all are 0
   std::optional<Counted> count;  ///< where it is no error but a number of something: no law of growth is estimated
 };
 

@@ -12,6 +12,7 @@
 #include "analysis/far_off.hpp"
 #include "analysis/growth.hpp"
 #include "analysis/growth_model.hpp"
+#include "analysis/increments.hpp"
 #include "analysis/tails.hpp"
 #include "analysis/transient.hpp"
 #include "analysis/units.hpp"
@@ -194,6 +195,7 @@ Estimates law_of(Ensemble const& ensemble, Levels const& levels) {
   e.transient = transient_of(ensemble, units, levels);
   e.model = growth_model(ensemble, units, levels, e.tails, e.persistence.p);
   use_model(e);
+  e.increments = increment_tests(ensemble, levels);
   return e;
 }
 

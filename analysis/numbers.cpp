@@ -71,6 +71,8 @@ std::string measured(double value, Interval interval, Notation notation) {
   return in_math(power == 0 ? pair : "(" + pair + ")" + power_of_ten(power, notation), notation);
 }
 
+std::string probability(double p) { return p < 1e-300 ? "p < 1e-300" : "p = " + number(p, 2); }
+
 std::string round_trip(double x) { return fmt::format("{:.17g}", x); }
 
 std::size_t display_width(std::string const& text) {

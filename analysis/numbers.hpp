@@ -14,6 +14,9 @@ std::string number(double x, int digits, Notation notation = Notation::plain);
 /// A value with the half width of its interval, one power of ten for both: "(−2.31 ± 0.02)e-17", "0.51 ± 0.02".
 std::string measured(double value, Interval interval, Notation notation = Notation::plain);
 
+/// "p = 0.84", or "p < 1e-300", below which doubles end; "p = –" where there is no test.
+std::string probability(double p);
+
 /// 17 significant digits: read back, it is the same double. "nan" and "inf" where it is none.
 std::string round_trip(double x);
 

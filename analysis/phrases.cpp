@@ -32,8 +32,6 @@ std::string decimal(double x) {
   return (rounded < 0 ? "−" : "") + fmt::format("{:.2f}", std::abs(rounded));
 }
 
-std::string p_value(double p) { return p == 0 ? "p < 1e-300" : "p = " + brief(p); }
-
 std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
 
 std::string per(Estimates const& e) { return " per " + e.time_unit; }

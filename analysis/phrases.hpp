@@ -17,9 +17,6 @@ std::string with_interval(double value, Interval i, std::string const& unit, Est
 /// An exponent with two decimals, and no −0.00.
 std::string decimal(double x);
 
-/// "p = 0.84", or the bound below which doubles end.
-std::string p_value(double p);
-
 std::string percent(double share);
 
 /// " per step", " per √step" in the ensemble's unit of time.

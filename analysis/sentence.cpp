@@ -18,7 +18,9 @@ std::string exponent(Estimates const& e) {
                      decimal(e.growth.interval.high));
 }
 
-std::string t_test(Estimates const& e) { return fmt::format("t = {}, {}", number(e.drift.t, 3), p_value(e.drift.p)); }
+std::string t_test(Estimates const& e) {
+  return fmt::format("t = {}, {}", number(e.drift.t, 3), probability(e.drift.p));
+}
 
 /// Where the full model has noise, the other numbers are its own.
 std::string beside_noise(Estimates const& e) {
@@ -69,8 +71,8 @@ std::string drift_sentence(Estimates const& e) {
 }
 
 std::string slopes_test(Estimates const& e) {
-  if (noise_in_force(e)) return "likelihood ratio, " + p_value(e.model->p_slopes);
-  return fmt::format("F = {}, {}; 1 for a random walk", brief(e.persistence.F), p_value(e.persistence.p));
+  if (noise_in_force(e)) return "likelihood ratio, " + probability(e.model->p_slopes);
+  return fmt::format("F = {}, {}; 1 for a random walk", brief(e.persistence.F), probability(e.persistence.p));
 }
 
 std::string persistent_sentence(Estimates const& e) {
@@ -83,7 +85,7 @@ std::string bounded_sentence(Estimates const& e) {
   return fmt::format(
       "the error does not grow: {}, RMS {} at the end; it is spread less than a random walk of its "
       "increments would be (F = {}, {}); its mean stays",
-      exponent(e), brief(e.rms_final), brief(e.persistence.F), p_value(e.persistence.p_low));
+      exponent(e), brief(e.rms_final), brief(e.persistence.F), probability(e.persistence.p_low));
 }
 
 std::string superlinear_sentence(Estimates const& e) {
@@ -118,7 +120,7 @@ std::string bounded_part(Estimates const& e) {
   if (e.model->p_course < e.levels.test)
     return fmt::format(
         "an oscillation that the members share, an unresolved truncation error, say: their mean moves, {}",
-        p_value(e.model->p_course));
+        probability(e.model->p_course));
   return e.model->law().terms.noise ? "noise, or an oscillation that each member has for itself"
                                     : "noise, an oscillation";
 }

@@ -1,6 +1,7 @@
 #include "tests/calibration/claim.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace brouwer::calibration {
 namespace {
@@ -53,6 +54,23 @@ Answer course_at_5(Trial const& t) {
 Answer end_at_5(Trial const& t) {
   return of_model(t, [](FullModel const& m) { return m.p_end < 0.05; });
 }
+/// Asked only where there are increments, and the test is defined.
+template <class PValue>
+Answer of_increments(Trial const& t, PValue const& p_value) {
+  if (!t.estimates.increments) return {};
+  double const p = p_value(*t.estimates.increments);
+  return std::isnan(p) ? Answer() : Answer(p < 0.05);
+}
+double first_p(IncrementTests const& i) { return i.autocorrelations.empty() ? std::nan("") : i.autocorrelations[0].p; }
+
+Answer correlated_at_5(Trial const& t) { return of_increments(t, first_p); }
+Answer ratio_at_5(Trial const& t) {
+  return of_increments(t, [](IncrementTests const& i) { return i.variance_ratio_p; });
+}
+Answer not_normal_at_5(Trial const& t) {
+  return of_increments(t, [](IncrementTests const& i) { return i.normality.p; });
+}
+
 Answer transient_found(Trial const& t) { return t.estimates.transient.has_value(); }
 Answer members_far_off(Trial const& t) { return !t.estimates.far_off.members.empty(); }
 Answer called_drift(Trial const& t) { return t.estimates.verdict == Verdict::drift; }
@@ -66,15 +84,18 @@ Names operator+(Names some, Names const& others) {
 }
 
 Names const brownian = {"walk", "drift", "visible drift", "strong drift"};
+Names const brownian_or_slopes = brownian + Names{"slopes"};
 Names const correlated = {"AR +0.3", "AR −0.3"};
 Names const heavy = {"t(5)", "t(3)", "skewed", "unequal", "wild"};
 Names const shared = {"transient", "oscillation"};
 Names const noisy = {"noise", "all"};
 /// Members are independent and their errors normal: the laws of β and t are exact whatever else grows or does not.
 Names const normal = brownian + correlated + noisy + Names{"slopes", "bounded"};
+Names const uncorrelated = brownian_or_slopes + heavy;
+Names const gaussian = brownian_or_slopes + correlated;
 Names const no_drift = Names{"walk", "slopes", "noise", "bounded"} + correlated + heavy + shared;
 Names const no_slopes = brownian + Names{"noise"} + correlated + heavy + shared;
-Names const no_noise = brownian + Names{"slopes"} + correlated + heavy + shared;
+Names const no_noise = brownian_or_slopes + correlated + heavy + shared;
 
 // --- and how often it is to be so -------------------------------------------------------------------------------------
 
@@ -88,8 +109,8 @@ constexpr Nominal told{};
 
 std::vector<Claim> const all = {
     {"95 % interval of β", covered, beta, {}, normal},
-    {"95 % interval of σ", covered, sigma, {}, brownian + Names{"slopes"}},
-    {"95 % interval of τ", nearly_covered, tau, {}, brownian + Names{"slopes"}, 8},
+    {"95 % interval of σ", covered, sigma, {}, brownian_or_slopes},
+    {"95 % interval of τ", nearly_covered, tau, {}, brownian_or_slopes, 8},
     {"95 % interval of ν, where noise is found", nearly_covered, nu, {}, noisy + Names{"bounded"}, 8},
     {"95 % interval of q", nearly_covered, q, {}, {"walk", "bounded", "sweep"}, 4},
     {"95 % interval of p in a sweep", nearly_covered, p_of_sweep, {}, {"sweep"}, 4},
@@ -99,18 +120,26 @@ std::vector<Claim> const all = {
     {"slopes where there are none, p < 0.05", at_5, slopes_at_5, no_slopes, brownian},
     {"slopes where there are none, p < 0.001", at_01, slopes_at_01, no_slopes, brownian, 2, true},
     {"F too small for a walk, p < 0.05", at_5, low_F_at_5, no_slopes, brownian},
-    {"noise chosen where there is none", at_01, noise_chosen, no_noise, brownian + Names{"slopes"}, 2, true},
+    {"noise chosen where there is none", at_01, noise_chosen, no_noise, brownian_or_slopes, 2, true},
     {"slopes chosen beside noise where there are none", at_01, slopes_chosen, {"noise", "bounded"}, {"noise"}, 8},
     {"walk chosen where there is only noise", at_01, walk_chosen, {"bounded"}, {"bounded"}, 8},
-    {"mean of the members not straight, p < 0.05", at_5, course_at_5, normal + heavy, brownian + Names{"slopes"}},
+    {"mean of the members not straight, p < 0.05", at_5, course_at_5, normal + heavy, brownian_or_slopes},
     {"spread at the end not the law's, p < 0.05", at_5, end_at_5, normal + heavy, {}},
-    {"members called far off, none is", at_half, members_far_off, normal + heavy, brownian + Names{"t(5)"}, 2, true},
+    {"increments correlated where they are not, p < 0.05", at_5, correlated_at_5, uncorrelated, brownian_or_slopes},
+    {"variance ratios not 1 where they are, p < 0.05", at_5, ratio_at_5, uncorrelated, brownian_or_slopes},
+    {"increments not normal where they are, p < 0.05", at_5, not_normal_at_5, gaussian, brownian_or_slopes},
+    {"members called far off, none is", at_half, members_far_off, normal + Names{"t(5)", "t(3)", "skewed", "unequal"},
+     brownian + Names{"t(5)"}, 2, true},
     {"transient found where there is none", at_01, transient_found, normal + heavy, normal, 2, true},
     {"verdict 'drift' where there is none", at_01, called_drift, no_drift, {"walk", "slopes", "noise"}, 2, true},
     {"the smallest visible drift is seen, p < 0.001", visible, drift_at_01, {"visible drift"}, {"visible drift"}},
     {"power: noise is chosen", told, noise_chosen, noisy + Names{"bounded"}, {}},
     {"power: slopes are chosen", told, slopes_chosen, {"slopes", "all"}, {}},
     {"power: a transient is found", told, transient_found, shared, {}},
+    {"power: increments are correlated, p < 0.05", told, correlated_at_5, correlated + noisy, {}},
+    {"power: variance ratios are not 1, p < 0.05", told, ratio_at_5, correlated + noisy, {}},
+    {"power: increments are not normal, p < 0.05", told, not_normal_at_5, heavy, {}},
+    {"power: members are called far off", told, members_far_off, {"wild"}, {}},
     {"power: the verdict is 'random walk'", told, called_walk, {"walk", "noise", "t(5)", "wild"}, {}},
 };
 
