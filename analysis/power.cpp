@@ -1,8 +1,7 @@
 #include "analysis/power.hpp"
 
-#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
@@ -17,9 +16,7 @@ constexpr std::int64_t most_members = 1'000'000'000'000'000;
 
 /// Density of s/σ for `dof` degrees of freedom: √(χ²(dof)/dof).
 double density_of_spread(double s, double dof) {
-  return s > 0 ? std::exp(std::log(2.0) + dof / 2 * std::log(dof / 2) - std::lgamma(dof / 2) + (dof - 1) * std::log(s) -
-                          dof * s * s / 2)
-               : 0;
+  return 2 * dof * s * boost::math::pdf(boost::math::chi_squared(dof), dof * s * s);
 }
 
 /// P(|z| + t s < δ), z ~ N(0, 1), s as above: that the interval lies inside ±δ standard errors.

@@ -274,12 +274,7 @@ double walk_all(CellProbe& cell_probe, ProbeDesign const& design, RunOptions con
 
 ProbeDesign fitted(ProbeDesign design, Study const& study, CellLabels const& cell) {
   design.members = std::min(design.members, study.members);
-  if (design.members < 2) throw InputError("a probe compares members with one another: expected at least 2, found 1");
-  if (cell.steps < design.windows * least_length)
-    throw InputError(fmt::format("a probe in {} windows needs at least {} steps, and {} makes {}", design.windows,
-                                 design.windows * least_length, cell.method, cell.steps));
-  design.covered = std::clamp(design.covered, design.steps(), std::max(design.steps(), cell.steps));
-  design.covered = std::min(design.covered, cell.steps);
+  design.covered = std::min(std::max(design.covered, design.steps()), cell.steps);
   design.length = std::min(design.length, design.covered / design.windows) / least_length * least_length;
   return design;
 }
@@ -300,13 +295,25 @@ std::string judge_of(Catalogue const& catalogue, CellLabels const& cell) {
   return bits <= 106 && !cell.compensation ? "mpfr-256" : "";
 }
 
+std::string reason_not_to_probe(Study const& study, Catalogue const& catalogue, CellLabels const& cell,
+                                ProbeDesign const& design) {
+  if (judge_of(catalogue, cell).empty())
+    return fmt::format(
+        "{} in {}{} is not probed: a high-precision step begins from two doubles, which do not hold such a "
+        "state",
+        cell.method, cell.compensation ? "compensated " : "", cell.arithmetic);
+  if (fitted(design, study, cell).members < 2)
+    return "a probe compares members with one another: expected at least 2, found 1";
+  if (fitted(design, study, cell).length < least_length)
+    return fmt::format("{} is not probed: {} windows of {} steps do not fit into {} steps", cell.method, design.windows,
+                       least_length, cell.steps);
+  return "";
+}
+
 Probe probe(Study const& study, Catalogue const& catalogue, CellLabels const& cell, ProbeDesign const& design,
             RunOptions const& options) {
-  if (judge_of(catalogue, cell).empty())
-    throw InputError(
-        fmt::format("{} in {}{} cannot be probed: a high-precision step begins from two doubles, which "
-                    "do not hold such a state",
-                    cell.method, cell.compensation ? "compensated " : "", cell.arithmetic));
+  if (auto const reason = reason_not_to_probe(study, catalogue, cell, design); !reason.empty())
+    throw InputError(reason);
   Probe found{{}, fitted(design, study, cell)};
   for (std::int64_t const judged : {std::int64_t{1}, found.design.length}) {
     CellProbe cell_probe(study, catalogue, cell, found.design, judged, options.widest);

@@ -22,7 +22,6 @@ struct ProbeDesign {
 };
 
 /// The design as far as a cell goes: a run shorter than `covered` is covered whole, in shorter windows where need be.
-/// @throws InputError if the cell has too few steps for windows of 4 steps each, or fewer than 2 members
 ProbeDesign fitted(ProbeDesign design, Study const& study, CellLabels const& cell);
 
 /// The step at which a member's window begins; depends on (seed, member, window) and the design alone (Philox).
@@ -32,6 +31,11 @@ std::int64_t window_begin(ProbeDesign const& design, std::uint64_t seed, std::in
 /// right to 40 bits, and lanes compute it), mpfr-256 for double-double. "" where a state, with its carried residue, would
 /// not fit into the two doubles from which a high-precision step begins: float128, mpfr, compensated double-double.
 std::string judge_of(Catalogue const& catalogue, CellLabels const& cell);
+
+/// Why a cell cannot be probed, in one sentence: states that judge_of does not know, fewer than 2 members, fewer steps than
+/// windows of 4 need; "" where it can.
+std::string reason_not_to_probe(Study const& study, Catalogue const& catalogue, CellLabels const& cell,
+                                ProbeDesign const& design);
 
 /// What a probe of a cell found, and what it took.
 struct Probe {
@@ -47,7 +51,7 @@ struct Probe {
 /// The first step of every window is always compared. Where these change no first integral by more than 2⁻²⁰ of what
 /// rounding does, the method conserves them all, and the local error of any other step is what the working step changes;
 /// elsewhere every step of the windows is compared.
-/// @throws InputError where judge_of or fitted have no answer
+/// @throws InputError where there is a reason not to
 Probe probe(Study const& study, Catalogue const& catalogue, CellLabels const& cell, ProbeDesign const& design,
             RunOptions const& options);
 
