@@ -177,9 +177,10 @@ std::optional<Prediction> predict(LocalEstimates const& local, std::int64_t step
   auto persistence = law.persistence;
   if (!walks) persistence = {undefined, undefined, undefined, undefined, {undefined, undefined}};
   persistence.F = 1 + N * std::pow(persistence.per_step / sigma, 2);
-  double const rms = std::hypot(law.bias.per_step * N, persistence.per_step * N, sigma * std::sqrt(N));
+  double const beta = law.bias.p < local.levels.test ? law.bias.per_step : 0;
+  double const tau = law.persistence.p < local.levels.test ? law.persistence.per_step : 0;
   return Prediction{law.bias, walks ? law.diffusion : Diffusion{undefined, {undefined, undefined}}, persistence,
-                    walks ? rms : std::abs(law.bias.per_step) * N};
+                    walks ? std::hypot(beta * N, tau * N, sigma * std::sqrt(N)) : std::abs(law.bias.per_step) * N};
 }
 
 }  // namespace brouwer

@@ -51,7 +51,7 @@ struct Prediction {
   Diffusion
       diffusion;  ///< NaN where the method's own error exceeds a tenth of rounding: it oscillates, it does not walk
   Persistence persistence;  ///< τ, and F = 1 + τ² N/σ² as a run of N steps has it
-  double rms_final = 0;     ///< √((β² + τ²) N² + σ² N)
+  double rms_final = 0;     ///< √((β² + τ²) N² + σ² N), β and τ as far as they are seen at levels.test
 };
 
 /// Of a first integral; nothing of the state, whose local errors later steps change.

@@ -53,7 +53,7 @@ std::string difference_in_words(char const* what, Agreement const& a, std::strin
 }
 
 std::string line(char const* what, std::string const& predicted, std::string const& observed) {
-  std::string text = fmt::format("  {} predicted {}", left_aligned(what, 16), left_aligned(predicted, 22));
+  std::string text = fmt::format("  {} predicted {}", left_aligned(what, 16), left_aligned(predicted, 28));
   if (!observed.empty()) text += " observed " + observed;
   return text.substr(0, text.find_last_not_of(' ') + 1) + '\n';
 }
@@ -70,7 +70,7 @@ std::string one_step_line(LocalEstimates const& local) {
 
 std::string slopes(Persistence const& p) {
   if (std::isnan(p.per_step)) return "–";
-  return fmt::format("{} (at most {})", number(p.per_step, 2), number(p.interval.high, 2));
+  return fmt::format("{} ({} to {})", number(p.per_step, 2), number(p.interval.low, 2), number(p.interval.high, 2));
 }
 
 std::string prediction_lines(ProbedRow const& row) {

@@ -67,10 +67,10 @@ void print_head(CellLabels const& cell, Probe const& probed, double run_seconds)
   bool const all = probed.errors.empty() || probed.errors.front().judged == design.length;
   fmt::print(
       "  {} members, {} windows of {} steps in the first {} of {}; {} of each window made in {}, too; {:.2g} s, "
-      "{:.2g} % of the run's {:.2g} s\n",
+      "{} % of the run's {:.2g} s\n",
       design.members, design.windows, design.length, design.covered, cell.steps, all ? "all" : "the first",
       probed.errors.empty() ? "" : probed.errors.front().high_precision, probed.seconds,
-      100 * probed.seconds / run_seconds, run_seconds);
+      number(100 * probed.seconds / run_seconds, 2), run_seconds);
 }
 
 void print_legend(Levels const& levels) {

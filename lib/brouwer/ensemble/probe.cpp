@@ -94,6 +94,9 @@ class CellProbe {
         widest_(widest),
         whole_state_(Observer(system_, study.quantities, {}, 1).needs_whole_state()),
         components_(components_of(system_, study)),
+        compares_states_(
+            std::any_of(components_.begin(), components_.end(),
+                        [](auto const& component) { return component.quantity->kind == Quantity::Kind::state; })),
         fates_(static_cast<std::size_t>(design.members)) {
     ErrorMatrix const steps(design.members, design.steps()), some(design.members, design.windows * judged),
         windows(design.members, design.windows);
@@ -112,7 +115,7 @@ class CellProbe {
       if (auto const failure = trajectories->failure(i)) fate(first, i) = {failure->step, in_words(failure->reason)};
   }
 
-  /// Is what the working steps change their rounding error, to 2⁻²⁰ of its size?
+  /// Is what the working steps change their rounding error, to 2⁻¹⁶ of its size?
   bool conserves() const {
     for (std::size_t c = 0; c < components_.size(); ++c)
       if (!is_of_state(c) && !conserved(columns_[c])) return false;
@@ -135,7 +138,7 @@ class CellProbe {
     double const noise = std::ldexp(1, 14 - catalogue_.arithmetic(judge_.arithmetic).bits);
     double const largest = columns.truncation.cwiseAbs().maxCoeff();
     double const since_start = 0x1p-53 * columns.since_start.cwiseAbs().maxCoeff();
-    return std::max(largest, since_start) <= std::max(0x1p-20 * rounding, noise);
+    return std::max(largest, since_start) <= std::max(0x1p-16 * rounding, noise);
   }
 
   std::vector<Window> windows_of(std::int64_t first, std::int64_t count) const {
@@ -205,7 +208,7 @@ class CellProbe {
                      std::vector<double> const& truncation) {
     std::vector<double> rounding(system_.count(Quantity::Kind::integral)), state(system_.count(Quantity::Kind::state));
     steps.rounding_errors(at, window.states[l + 1], rounding);
-    steps.state_errors(at, window.states[l + 1], state);
+    if (compares_states_) steps.state_errors(at, window.states[l + 1], state);
     auto const column = window.number * judged_ + static_cast<Eigen::Index>(l);
     for (std::size_t c = 0; c < components_.size(); ++c) {
       std::size_t const place = components_[c].place;
@@ -247,6 +250,7 @@ class CellProbe {
   InstructionSet widest_;
   bool whole_state_;
   std::vector<Component> components_;
+  bool compares_states_;
   std::vector<Fate> fates_;       // of each member
   std::vector<Columns> columns_;  // of each component
 };

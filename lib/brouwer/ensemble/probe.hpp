@@ -48,7 +48,7 @@ struct Probe {
 /// in higher precision from the same state, value and carried residue, both exactly. Depends on (study, cell, design)
 /// alone: not on threads or lanes.
 ///
-/// The first step of every window is always compared. Where these change no first integral by more than 2⁻²⁰ of what
+/// The first step of every window is always compared. Where these change no first integral by more than 2⁻¹⁶ of what
 /// rounding does, the method conserves them all, and the local error of any other step is what the working step changes;
 /// elsewhere every step of the windows is compared.
 /// @throws InputError where there is a reason not to
