@@ -28,7 +28,7 @@ double chance_to_exclude(double delta, double t, double dof) {
   double const low = std::max(0.0, 1 - 10 / std::sqrt(2 * dof)),
                high = std::min(delta / t, 1 + 10 / std::sqrt(2 * dof));
   if (high <= low) return 0;
-  return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(integrand, low, high, 12, 1e-10);
+  return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(integrand, low, high, 3, 1e-9);
 }
 
 double excluding_noncentrality(double dof, Levels const& levels) {

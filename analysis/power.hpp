@@ -21,7 +21,7 @@ enum class Question {
 };
 
 /// x over the standard error of β̂ at which the answer is yes with the chance levels.power. See: visible_noncentrality.
-/// Exclude: the δ with P(|β̂| + t s < δ) = levels.power, integrated over the χ law of s; relative error below 1e-8.
+/// Exclude: the δ with P(|β̂| + t s < δ) = levels.power, integrated over the χ law of s.
 /// @param members  at least 2
 double needed_noncentrality(Question question, std::int64_t members, Levels const& levels);
 

@@ -1,4 +1,5 @@
 // The factor `coefficients` through the command line, with a catalogue that has a method for it.
+#include <brouwer/ensemble/probe.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>  // mkdtemp
