@@ -17,8 +17,8 @@ constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr Eigen::Index most_lags = 8;
 /// Share of the rounding errors up to which a method's own errors do not spoil their walk.
 constexpr double little_truncation = 0.1;
-/// Share of σ²_L by which whole windows must exceed half ones before correlation counts as longer than a window.
-constexpr double much_growth = 0.1;
+/// Share of σ²_L by which half windows must differ before correlation counts as longer than a window.
+constexpr double much_change = 0.1;
 
 /// Members × steps, seen as W windows of L steps each, errors about their member's mean.
 class Windows {
@@ -75,8 +75,16 @@ Drift mean_over_members(Eigen::ArrayXd const& each, Levels const& levels) {
 
 double root(double square) { return std::sqrt(std::max(square, 0.0)); }
 
-Diffusion diffusion_of(Windows const& steps, Levels const& levels) {
-  auto const square = mean_over_members(2 * steps.walk(steps.length()) - steps.walk(steps.length() / 2), levels);
+bool still_changing(Windows const& steps, Levels const& levels) {
+  auto const whole = steps.walk(steps.length());
+  auto const change = mean_over_members(whole - steps.walk(steps.length() / 2), levels);
+  return change.p < levels.test && std::abs(change.per_step) > much_change * whole.mean();
+}
+
+Diffusion diffusion_of(Windows const& steps, bool changing, Levels const& levels) {
+  auto const whole = steps.walk(steps.length());
+  auto const square =
+      mean_over_members(changing ? whole : Eigen::ArrayXd(2 * whole - steps.walk(steps.length() / 2)), levels);
   return {root(square.per_step), {root(square.interval.low), root(square.interval.high)}};
 }
 
@@ -93,12 +101,6 @@ Persistence persistence_of(Windows const& steps, Levels const& levels) {
           fisher_upper(F, m, n),
           fisher_lower(F, m, n),
           {tau(quantile(complement(law, tail))), tau(quantile(law, tail))}};
-}
-
-bool still_growing(Windows const& steps, Levels const& levels) {
-  auto const whole = steps.walk(steps.length());
-  auto const growth = mean_over_members(whole - steps.walk(steps.length() / 2), levels);
-  return growth.t > 0 && growth.p < levels.test && growth.per_step > much_growth * whole.mean();
 }
 
 std::vector<double> autocorrelation_of(Windows const& steps) {
@@ -129,11 +131,11 @@ LocalLaw sizes_of(ErrorMatrix const& errors, Levels const& levels) {
 LocalLaw law_of(ErrorMatrix const& errors, std::int64_t windows, Levels const& levels) {
   LocalLaw law = sizes_of(errors, levels);
   Windows const steps(errors, windows);
-  law.diffusion = diffusion_of(steps, levels);
+  law.still_changing = still_changing(steps, levels);
+  law.diffusion = diffusion_of(steps, law.still_changing, levels);
   law.persistence = persistence_of(steps, levels);
   law.autocorrelation = autocorrelation_of(steps);
   law.scales = scales_of(steps);
-  law.still_growing = still_growing(steps, levels);
   return law;
 }
 

@@ -14,9 +14,9 @@ struct LocalLaw {
   Persistence persistence;              ///< of the members' own biases
   std::vector<double> autocorrelation;  ///< ρ₁, ρ₂, … of consecutive local errors, at most eight
   std::vector<double> scales;           ///< σ from sums of 1, 2, 4, … steps, up to a window
-  /// The sums of whole windows spread more than those of half ones can explain, at levels.test and by more than a tenth:
-  /// local errors are correlated over more than a window, and σ speaks of that time only.
-  bool still_growing = false;
+  /// σ²_L of whole windows differs from that of half ones by more than chance at levels.test, and by more than a tenth:
+  /// local errors are correlated over more than a window, and σ is that of whole windows.
+  bool still_changing = false;
 };
 
 /// Everything that the inference says of the local errors of one quantity of one cell.
@@ -37,7 +37,8 @@ struct LocalEstimates {
 ///
 ///     σ̂²_L = L Σ (y_iw − m_i)² / (M(W−1))       estimates var (1 + 2 Σ_{k<L} (1 − k/L) ρₖ)
 ///     σ̂²   = 2 σ̂²_L − σ̂²_{L/2}                  without the bias of order 1/L [lugsail: D. Vats & J. M. Flegal,
-///                                                Biometrika 109 (2022) 735]; interval: Student's t over the members
+///                                                Biometrika 109 (2022) 735]; interval: Student's t over the members;
+///                                                σ̂²_L where it is still changing, for then it would lead anywhere
 ///     β̂    = mean m_i                           t(M−1), over the members
 ///     F    = W L var(m_i) / σ̂²_L                F(M−1, M(W−1)) for τ = 0; the interval of τ is F's
 ///     τ̂²   = max(0, var(m_i) − σ̂²_L/(W L))

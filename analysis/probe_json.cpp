@@ -52,7 +52,7 @@ std::string json_of(LocalLaw const& law) {
       .add("persistence", json_of(law.persistence))
       .list("autocorrelation", law.autocorrelation)
       .list("sigma_by_scale", law.scales)
-      .add("still_growing", law.still_growing ? "true" : "false")
+      .add("still_changing", law.still_changing ? "true" : "false")
       .json();
 }
 std::string json_of(Prediction const& p) {

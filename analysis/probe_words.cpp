@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/distributions.hpp"
@@ -28,11 +29,18 @@ std::string reason_of_diffusion(ProbedRow const& row) {
   auto const& local = row.local;
   if (row.observed->verdict == Verdict::bounded) return "the observed error is bounded and does not walk";
   LocalLaw const& law = local.both ? *local.both : local.rounding;
-  if (law.still_growing)
+  auto const [least, most] = std::minmax_element(law.scales.begin(), law.scales.end());
+  double const seen = row.observed->diffusion.per_sqrt_step;
+  if (law.still_changing || (*least < seen && seen < *most))
     return fmt::format(
-        "local errors are correlated over more than a window of {} steps, and the prediction speaks of "
-        "that time only",
-        local.length);
+        "local errors are correlated, so that σ depends on the time over which it is taken, {} to {} for "
+        "1 to {} steps, and a run's samples mix such times",
+        number(law.scales.front(), 2), number(law.scales.back(), 2), local.length);
+  if (law.persistence.p < row.local.levels.test && seen > *most)
+    return fmt::format(
+        "members keep slopes of their own over the {} steps that the windows lie in (τ {}), which count as "
+        "diffusion where they change later in the run",
+        row.local.covered, number(law.persistence.per_step, 2));
   return "";
 }
 

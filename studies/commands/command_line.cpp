@@ -162,7 +162,7 @@ void CommandLine::add_probe() {
   app->add_option("--windows", design.windows, "windows of consecutive steps of each member")
       ->check(at_least(2))
       ->capture_default_str();
-  app->add_option("--length", design.length, "steps in a window, a multiple of 4")
+  app->add_option("--length", design.length, "steps in a window, a multiple of 4; more where σ asks for it")
       ->check(at_least(4))
       ->capture_default_str();
   app->add_option("--cover", design.covered, "the windows lie in so many steps from the start")

@@ -10,6 +10,7 @@
 #include "studies/commands/calibration.hpp"
 #include "studies/commands/commands.hpp"
 #include "studies/commands/power_text.hpp"
+#include "studies/commands/probe_cell.hpp"
 #include "studies/commands/progress_line.hpp"
 #include "studies/commands/run_study.hpp"
 
@@ -44,7 +45,7 @@ void print_cell(PlanCommand const& command, StudyFile const& file, Catalogue con
     fmt::print("  {}\n", reason);
     return;
   }
-  for (auto const& errors : probe(file.study, catalogue, cell, {}, options).errors)
+  for (auto const& errors : probe_cell(file.study, catalogue, cell, {}, options, command.settings.levels).errors)
     print_row(command, file, catalogue, errors, costs.member.step / threads_of(options));
 }
 

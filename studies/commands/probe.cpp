@@ -10,7 +10,7 @@
 #include "studies/commands/calibration.hpp"
 #include "studies/commands/commands.hpp"
 #include "studies/commands/findings.hpp"
-#include "studies/commands/progress_line.hpp"
+#include "studies/commands/probe_cell.hpp"
 #include "studies/commands/run_study.hpp"
 
 namespace brouwer {
@@ -98,7 +98,7 @@ int probe(ProbeCommand const& command, Catalogue const& catalogue) {
       fmt::print(stderr, "brouwer: {}\n", reason);
       continue;
     }
-    Probe const probed = probe(file.study, catalogue, cell, command.design, options);
+    Probe const probed = probe_cell(file.study, catalogue, cell, command.design, options, settings.levels);
     auto const rows = rows_of(probed, observed, settings.levels);
     all.insert(all.end(), rows.begin(), rows.end());
     if (json) continue;
