@@ -59,10 +59,8 @@ CLI::Validator at_least(std::int64_t least) {
           fmt::format("from {}", least)};
 }
 
-void add_run_settings(CLI::App& app, RunSettings& settings) {
-  app.add_option("-o,--output", settings.folder, "folder of the results (default: results/NAME)")->type_name("DIR");
-  add_override(app, settings.overrides, "--members", "ensemble.members", "members in place of the study's");
-  add_override(app, settings.overrides, "--steps", "integrate.steps", "steps in place of the study's");
+/// What a study is computed with.
+void add_computing(CLI::App& app, RunSettings& settings) {
   add_set(app, settings.overrides);
   app.add_option("--threads", settings.threads, "threads to compute with (default: all)")->check(CLI::Range(1, 4096));
   app.add_option("--lanes", settings.lanes,
@@ -71,6 +69,13 @@ void add_run_settings(CLI::App& app, RunSettings& settings) {
                              fmt::join(instruction_set_names(), ", ")))
       ->type_name("SET");
   add_levels(app, settings.levels);
+}
+
+void add_run_settings(CLI::App& app, RunSettings& settings) {
+  app.add_option("-o,--output", settings.folder, "folder of the results (default: results/NAME)")->type_name("DIR");
+  add_override(app, settings.overrides, "--members", "ensemble.members", "members in place of the study's");
+  add_override(app, settings.overrides, "--steps", "integrate.steps", "steps in place of the study's");
+  add_computing(app, settings);
 }
 
 std::vector<std::string> subcommand_names(CLI::App const& app) {
@@ -120,6 +125,7 @@ CommandLine::CommandLine() : app_(help_introduction(), "brouwer") {
   app_.footer(help_footer(""));
   add_run();
   add_plan();
+  add_probe();
   add_check();
   add_table();
   add_plot();
@@ -141,8 +147,32 @@ void CommandLine::add_plan() {
   auto [app, command] = add<PlanCommand>("plan", "what a study would run, how long, and what it could see", plan);
   app->add_option("study", command->study, "study file (TOML)")->type_name("STUDY")->required();
   add_run_settings(*app, command->settings);
-  app->add_option("--drift", command->drift, "how many member-steps it would take to see this drift per step")
+  app->add_option("--drift", command->drift, "what it would take to see this drift per step, and to exclude it")
       ->type_name("X");
+}
+
+void CommandLine::add_probe() {
+  auto [app, command] =
+      add<ProbeCommand>("probe", "errors of single steps: their causes, and what they predict", probe);
+  auto& design = command->design;
+  app->add_option("study", command->study, "study file (TOML)")->type_name("STUDY")->required();
+  app->add_option("--members", design.members, "the study's first members are probed")
+      ->check(at_least(2))
+      ->capture_default_str();
+  app->add_option("--windows", design.windows, "windows of consecutive steps of each member")
+      ->check(at_least(2))
+      ->capture_default_str();
+  app->add_option("--length", design.length, "steps in a window, a multiple of 4; more where σ asks for it")
+      ->check(at_least(4))
+      ->capture_default_str();
+  app->add_option("--cover", design.covered, "the windows lie in so many steps from the start")
+      ->check(at_least(8))
+      ->capture_default_str();
+  app->add_option("-o,--output", command->settings.folder, "results to compare with (default: results/NAME)")
+      ->type_name("DIR");
+  app->add_flag("--run", command->run, "run what is missing of these results first");
+  app->add_option("--format", command->format, "text or json")->capture_default_str();
+  add_computing(*app, command->settings);
 }
 
 void CommandLine::add_check() {

@@ -31,6 +31,7 @@ class CommandLine {
                                                      Action<Command> action);
   void add_run();
   void add_plan();
+  void add_probe();
   void add_check();
   void add_table();
   void add_plot();

@@ -1,5 +1,6 @@
 #pragma once
 #include <brouwer/ensemble/catalogue.hpp>
+#include <brouwer/ensemble/probe.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -35,6 +36,14 @@ struct PlanCommand {
   std::string study;
   RunSettings settings;
   std::optional<double> drift;  ///< per step, that should be seen
+};
+
+struct ProbeCommand {
+  std::string study;
+  RunSettings settings;  ///< overrides: of --set alone; folder: of the results to compare with
+  ProbeDesign design;
+  std::string format = "text";
+  bool run = false;  ///< what is missing of the results first
 };
 
 struct TableCommand {
@@ -84,6 +93,7 @@ struct ListCommand {
 
 int run(RunCommand const& command, Catalogue const& catalogue);
 int plan(PlanCommand const& command, Catalogue const& catalogue);
+int probe(ProbeCommand const& command, Catalogue const& catalogue);
 int table(TableCommand const& command);
 int plot(PlotCommand const& command, Catalogue const& catalogue);
 int report(ReportCommand const& command, Catalogue const& catalogue);

@@ -17,6 +17,7 @@ std::string help_footer(std::string const& subcommand) {
   brouwer run studies/elliptic-drift.toml           a study, from its file to the verdicts
   brouwer run STUDY --members 8 --steps 1000        the same at toy size, in a folder of its own
   brouwer plan STUDY                                how long it would take and what it could see
+  brouwer probe STUDY                               errors of single steps: the cause, and the long run predicted
   brouwer check STUDY --junit outcome.xml           a drift-slope regression test for CI
   brouwer fit errors.csv                            the inference on an ensemble of another program
   brouwer integrate STUDY --steps 10 --hex          one trajectory, bit for bit
@@ -35,11 +36,22 @@ Examples:
   brouwer run studies/elliptic-drift.toml
   brouwer run studies/elliptic-drift.toml --members 16 --set integrate.arithmetic=float -o /var/tmp/try)"},
       {"plan",
-       R"(Runs a few members for a moment to measure the speed and the diffusion. The smallest visible drift is the one
-that the whole ensemble would see at the level of the test with a chance of 90 %; it falls as 1/√(members × steps).
+       R"(Measures the speed, and the diffusion by a probe of single steps. The smallest visible drift is the one that the
+whole ensemble would see at the level of the test with a chance of 90 %; the smallest excluded one is the bound that the
+interval of β would keep with that chance if there is no drift. Both fall as 1/√(members × steps) while members walk; where
+they keep slopes of their own, more steps do not help, more members do.
 
-Example:
-  brouwer plan studies/elliptic-drift.toml --members 100000)"},
+Examples:
+  brouwer plan studies/elliptic-drift.toml --members 100000
+  brouwer plan studies/elliptic-drift.toml --drift 1e-19)"},
+      {"probe",
+       R"(Compares single steps along trajectories with steps of the same method in higher precision from the same state: the
+error of rounding and the error of the method, their bias, size and correlation, and the drift β, the diffusion σ and the
+slopes τ that a long run would have of them. Where there are results, or with --run, observation stands beside prediction.
+
+Examples:
+  brouwer probe studies/elliptic-drift.toml
+  brouwer probe studies/gauss-kepler.toml --members 256 --windows 16 --format json)"},
       {"check",
        R"(A study file is run first, as far as it is not yet run. A folder is judged as it is.
 

@@ -1,4 +1,5 @@
 // The factor `coefficients` through the command line, with a catalogue that has a method for it.
+#include <brouwer/ensemble/probe.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>  // mkdtemp
@@ -8,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "studies/commands/pilot.hpp"
 #include "studies/program.hpp"
 #include "studies/read.hpp"
 
@@ -82,14 +82,14 @@ TEST_F(StudyOfCoefficients, IsRunTabulatedAndJudged) {
                            HasSubstr("rigid_body,preprocessed,double,-,per-trajectory,false")));
 }
 
-TEST_F(StudyOfCoefficients, IsTriedCellByCell) {
+TEST_F(StudyOfCoefficients, IsProbedCellByCell) {
   auto const file = read_study(study(), catalogue());
   ASSERT_EQ(file.plan.cells.size(), 3U);
   for (auto const& cell : file.plan.cells) {
-    auto const rows = try_cell(file.study, catalogue(), cell, RunOptions(), Levels());
-    ASSERT_EQ(rows.size(), 1U);
-    EXPECT_EQ(rows[0].cell.coefficients, cell.coefficients) << cell.method;
-    EXPECT_EQ(rows[0].members, 4) << "of this cell alone";
+    auto const errors = probe(file.study, catalogue(), cell, {}, RunOptions()).errors;
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_EQ(errors[0].cell, cell);
+    EXPECT_EQ(errors[0].rounding.rows(), 4) << "of this cell alone";
   }
 }
 

@@ -13,6 +13,7 @@
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -74,7 +75,7 @@ TEST_F(Program, TeachesItself) {
   auto const said = brouwer("--help");
   EXPECT_EQ(said.status, 0);
   for (auto const* word :
-       {"run", "plan", "check", "table", "plot", "report", "fit", "integrate", "list", "Examples", "75"})
+       {"run", "plan", "probe", "check", "table", "plot", "report", "fit", "integrate", "list", "Examples", "75"})
     EXPECT_THAT(said.text, HasSubstr(word));
   EXPECT_THAT(brouwer("run --help").text, HasSubstr("--members"));
   EXPECT_THAT(brouwer("--version").text, StartsWith("brouwer "));
@@ -106,6 +107,13 @@ TEST_F(Program, RefusesWrongUsageWithOneSentenceAndStatusTwo) {
       {"run toy.toml --set integrate.step=-1", "--set integrate.step=-1: integrate.step = -1, expected"},
       {"run toy.toml -o toy.toml", "toy.toml"},
       {"plan toy.toml --set observe.quantities=enrgy", "there is no quantity 'enrgy'"},
+      {"probe toy.toml --members 1", "--members"},
+      {"probe toy.toml --windows 1", "--windows"},
+      {"probe toy.toml --length 2", "--length"},
+      {"probe toy.toml --format jsn", "a probe has no format 'jsn'; did you mean 'json'?"},
+      {"probe toy.toml -o nowhere", "nowhere: no results of toy there"},
+      {"probe toy.toml --set integrate.arithmetic=float128 --set observe.reference.arithmetic=mpfr-256",
+       "float128 is not probed"},
       {"table nowhere", "nowhere"},
       {"table . --format txet", "text"},
       {"check nowhere", "nowhere: cannot be read"},
@@ -225,8 +233,20 @@ TEST_F(Program, SaysWhatItTakesToSeeADrift) {
   auto const said = brouwer("plan toy.toml --drift 1e-19");
   EXPECT_EQ(said.status, 0) << said.text;
   EXPECT_THAT(said.text, HasSubstr("to see 1.0e-19 per step: "));
-  EXPECT_THAT(said.text, HasSubstr(" member-steps: "));
+  EXPECT_THAT(said.text, HasSubstr("to exclude ±1.0e-19: 12 members over "));
   EXPECT_EQ(brouwer("plan toy.toml --drift 0").status, 2);
+}
+
+TEST_F(Program, SetsObservationBesidePrediction) {
+  auto const alone = brouwer("probe toy.toml");
+  EXPECT_EQ(alone.status, 0) << alone.text;
+  EXPECT_THAT(alone.text, AllOf(HasSubstr("drift β"), Not(HasSubstr("observed"))));
+  EXPECT_FALSE(fs::exists(folder / "results"));
+  auto const beside = brouwer("probe toy.toml --run");
+  EXPECT_EQ(beside.status, 0) << beside.text;
+  EXPECT_THAT(beside.text, AllOf(HasSubstr("observed"), HasSubstr("The run")));
+  EXPECT_THAT(brouwer("probe toy.toml --format json").text, HasSubstr("\"diffusion_agreement\""));
+  EXPECT_THAT(brouwer("probe toy.toml -o results/toy --set ensemble.seed=3").text, HasSubstr("results/toy: "));
 }
 
 TEST_F(Program, GivesTheSameUnitsInAnyLanes) {
