@@ -73,6 +73,19 @@ void add_run_settings(CLI::App& app, RunSettings& settings) {
   add_levels(app, settings.levels);
 }
 
+void add_file_reading(CLI::App& app, FileReading& reading) {
+  app.add_option("--dataset", reading.dataset, "the matrix in an HDF5 file, or a group of them (default: guess)")
+      ->type_name("PATH");
+  app.add_option("--times", reading.times, "the times in an HDF5 file (default: guess)")->type_name("PATH");
+  auto const say = [&](FileValues values) { return [&reading, values](std::int64_t) { reading.values = values; }; };
+  auto* const subtract =
+      app.add_flag_function("--subtract-start", say(FileValues::subtract_start),
+                            "the file holds values (energies), no errors: error = value − value at the first time");
+  app.add_flag_function("--relative-to-start", say(FileValues::relative_to_start),
+                        "likewise, divided by the size of the value at the first time")
+      ->excludes(subtract);
+}
+
 std::vector<std::string> subcommand_names(CLI::App const& app) {
   std::vector<std::string> names;
   for (auto const* subcommand : app.get_subcommands({})) names.push_back(subcommand->get_name());
@@ -185,11 +198,12 @@ void CommandLine::add_report() {
 }
 
 void CommandLine::add_fit() {
-  auto [app, command] = add<FitCommand>("fit", "the same inference on anybody's ensemble, from a csv",
+  auto [app, command] = add<FitCommand>("fit", "the same inference on anybody's ensemble, from a csv or HDF5 file",
                                         [](FitCommand const& c, Catalogue const&) { return fit(c); });
-  app->add_option("file", command->file, "columns time, member, error; or time and one column a member")
-      ->type_name("FILE.csv")
+  app->add_option("file", command->file, "csv (columns time, member, error; or time and one column a member) or HDF5")
+      ->type_name("FILE")
       ->required();
+  add_file_reading(*app, command->reading);
   app->add_option("--format", command->format, "text, csv, markdown, latex or json")->capture_default_str();
   app->add_option("--plot", command->figures, "draw figures there")->type_name("DIR");
   add_levels(*app, command->levels);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/ensembles_file.hpp"
 #include "analysis/estimates.hpp"
 #include "studies/reading/overrides.hpp"
 
@@ -65,6 +66,7 @@ struct CheckCommand {
 
 struct FitCommand {
   std::string file;
+  FileReading reading;
   std::string format = "text";
   std::string figures;  ///< "": none
   Levels levels;

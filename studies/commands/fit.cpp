@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "analysis/csv.hpp"
+#include "analysis/ensembles_file.hpp"
 #include "analysis/inference.hpp"
 #include "analysis/plots.hpp"
 #include "analysis/tables.hpp"
@@ -13,7 +13,7 @@ int fit(FitCommand const& command) {
   TableFormat const format = table_format(command.format);
   std::vector<Estimates> rows;
   std::vector<std::vector<double>> final_errors;
-  for (auto const& ensemble : read_csv(command.file)) {
+  for (auto const& ensemble : read_ensembles(command.file, command.reading)) {
     rows.push_back(estimate(ensemble, command.levels));
     final_errors.push_back(final_errors_of(ensemble));
   }

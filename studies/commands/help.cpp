@@ -63,11 +63,14 @@ Examples:
   brouwer report results/elliptic-drift -o elliptic-drift.html
   brouwer report results/* -o findings.md)"},
       {"fit",
-       R"(Long form: columns time, member, error (one more, quantity, where there are several). Wide form: time first,
-then one column a member. Times are > 0 and increasing; the error at time 0 is 0 by definition and left out.
+       R"(Text: columns time, member, error (one more, quantity, where there are several), or time first, then one column a
+member. HDF5, netCDF-4: a matrix members × times or times × members beside a vector `time`, `t` or `steps`, or with it as
+dimension scale; several matrices are several ensembles. Times are > 0 and increasing; the error at time 0 is 0 by
+definition and left out. Files of energies: --relative-to-start.
 
-Example:
-  brouwer fit errors.csv --format json --plot figures)"},
+Examples:
+  brouwer fit errors.csv --format json --plot figures
+  brouwer fit run.h5 --dataset leapfrog/energy --relative-to-start)"},
       {"integrate",
        R"(Columns: t, the components of the state, then the first integrals. Decimal numbers have as many digits as the
 arithmetic needs to be read back without loss.
