@@ -42,7 +42,10 @@ int check(CheckCommand const& command, Catalogue const& catalogue) {
   refuse_nothing_to_check(file);
   auto const folder = stored ? std::filesystem::path(command.subject) : results_of(file, command, catalogue);
   if (!folder) return interrupted;
-  auto const outcomes = Findings({folder->string()}, command.settings.levels).check(file.expectations);
+  Findings const findings({folder->string()}, command.settings.levels);
+  auto outcomes = findings.check(file.expectations);
+  for (auto& guard : findings.guards(findings.rows_of(file.expectations)))
+    if (guard.passed) outcomes.push_back(std::move(guard));
   print_outcomes(outcomes, file.unjudged);
   if (!command.junit.empty()) write_whole(command.junit, to_junit(file.study.name, outcomes));
   return exit_status(outcomes);
