@@ -59,8 +59,8 @@ CLI::Validator at_least(std::int64_t least) {
           fmt::format("from {}", least)};
 }
 
-void add_run_settings(CLI::App& app, RunSettings& settings) {
-  app.add_option("-o,--output", settings.folder, "folder of the results (default: results/NAME)")->type_name("DIR");
+void add_run_settings(CLI::App& app, RunSettings& settings, std::string const& folder_option = "-o,--output") {
+  app.add_option(folder_option, settings.folder, "folder of the results (default: results/NAME)")->type_name("DIR");
   add_override(app, settings.overrides, "--members", "ensemble.members", "members in place of the study's");
   add_override(app, settings.overrides, "--steps", "integrate.steps", "steps in place of the study's");
   add_set(app, settings.overrides);
@@ -134,6 +134,7 @@ CommandLine::CommandLine() : app_(help_introduction(), "brouwer") {
   add_run();
   add_plan();
   add_check();
+  add_baseline();
   add_table();
   add_plot();
   add_report();
@@ -164,7 +165,21 @@ void CommandLine::add_check() {
       ->type_name("STUDY|RESULT")
       ->required();
   app->add_option("--junit", command->junit, "write the outcome as JUnit XML")->type_name("FILE");
+  app->add_option("--baseline", command->baseline, "compare with what was recorded there, too")->type_name("FILE");
+  app->add_option("--entry", command->entry, "with this entry of the baseline (default: the last)")->type_name("LABEL");
   add_run_settings(*app, command->settings);
+}
+
+void CommandLine::add_baseline() {
+  auto [app, command] =
+      add<BaselineCommand>("baseline", "record estimates, for later runs to be compared with", baseline);
+  app->add_option("subject", command->subject, "study file, or a folder of results")->type_name("STUDY|RESULT");
+  app->add_option("-o,--output", command->file, "the baseline: a new file, or one that gets a further entry")
+      ->type_name("FILE.json");
+  app->add_option("--label", command->label, "of the entry (default: version and commit)")->type_name("TEXT");
+  app->add_option("--date", command->date, "kept with the entry (default: none)")->type_name("TEXT");
+  app->add_option("--list", command->list, "show the history in this file, and record nothing")->type_name("FILE.json");
+  add_run_settings(*app, command->settings, "--results");
 }
 
 void CommandLine::add_table() {

@@ -32,6 +32,7 @@ class CommandLine {
   void add_run();
   void add_plan();
   void add_check();
+  void add_baseline();
   void add_table();
   void add_plot();
   void add_report();

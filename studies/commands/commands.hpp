@@ -59,8 +59,19 @@ struct ReportCommand {
 };
 
 struct CheckCommand {
+  std::string subject;   ///< a study file or a result folder
+  std::string junit;     ///< "": none
+  std::string baseline;  ///< with what it is compared, too; "": nothing
+  std::string entry;     ///< of that baseline, by its label; "": the last
+  RunSettings settings;
+};
+
+struct BaselineCommand {
   std::string subject;  ///< a study file or a result folder
-  std::string junit;    ///< "": none
+  std::string file;     ///< where the history is kept
+  std::string label;    ///< "": version and commit
+  std::string date;     ///< "": none
+  std::string list;     ///< a history to show instead; "": none
   RunSettings settings;
 };
 
@@ -90,6 +101,7 @@ int table(TableCommand const& command);
 int plot(PlotCommand const& command, Catalogue const& catalogue);
 int report(ReportCommand const& command, Catalogue const& catalogue);
 int check(CheckCommand const& command, Catalogue const& catalogue);
+int baseline(BaselineCommand const& command, Catalogue const& catalogue);
 int fit(FitCommand const& command);
 int integrate(IntegrateCommand const& command, Catalogue const& catalogue);
 int list(ListCommand const& command, Catalogue const& catalogue);

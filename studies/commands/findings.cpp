@@ -88,13 +88,17 @@ std::string Findings::unfinished() const {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-std::vector<Outcome> Findings::check(std::vector<Expectation> const& expectations) const {
+std::vector<Outcome> Findings::expected(std::vector<Expectation> const& expectations) const {
   auto const sweep = [this](std::vector<std::size_t> const& rows) {
     std::vector<Ensemble> cells;
     for (auto row : rows) cells.push_back(ensemble(row));
     return fit_sweep(cells, levels_);
   };
-  auto outcomes = brouwer::check(expectations, rows_, sweep);
+  return brouwer::check(expectations, rows_, sweep);
+}
+
+std::vector<Outcome> Findings::check(std::vector<Expectation> const& expectations) const {
+  auto outcomes = expected(expectations);
   for (auto& guard : guards(rows_of(expectations)))
     if (!guard.passed) outcomes.push_back(std::move(guard));
   return outcomes;

@@ -45,7 +45,21 @@ Example:
 
 Examples:
   brouwer check studies/elliptic-drift.toml --junit outcome.xml
-  brouwer check results/elliptic-drift)"},
+  brouwer check results/elliptic-drift
+  brouwer check studies/elliptic-drift.toml --baseline data/baselines/elliptic-drift.json
+
+Guards are checked beside the expectations: that the state has moved, the frame rests, the members differ, t and F are
+finite, most members came through. With --baseline, a row fails where its drift, diffusion or spread of slopes has grown
+significantly, or where it is gone; all questions together are asked at --level.)"},
+      {"baseline",
+       R"(Records of each quantity of each cell the estimates with their intervals, and what it takes to compare another
+ensemble with them; `check --baseline` does. Recording again adds an entry: one file holds a study's history. Nothing in it
+depends on the day or on the number of threads; what compiled it, and for which processor, is kept.
+
+Examples:
+  brouwer baseline studies/elliptic-drift.toml -o data/baselines/elliptic-drift.json
+  brouwer baseline results/elliptic-drift -o data/baselines/elliptic-drift.json --label "before the new series"
+  brouwer baseline --list data/baselines/elliptic-drift.json)"},
       {"table",
        R"(Example:
   brouwer table results/elliptic-drift --format latex > growth.tex)"},
