@@ -22,6 +22,17 @@ bool same_bits(BaselineEntry const& a, BaselineEntry const& b) {
 
 }  // namespace
 
+BaselineEntry BaselineEntry::only(std::string const& quantity, Selector const& where) const {
+  BaselineEntry chosen = *this;
+  std::erase_if(chosen.rows,
+                [&](BaselineRow const& row) { return row.quantity != quantity || !where.matches(row.cell); });
+  if (!chosen.rows.empty()) return chosen;
+  std::vector<std::string> quantities;
+  for (auto const& row : rows)
+    if (!contains(quantities, row.quantity)) quantities.push_back(row.quantity);
+  throw InputError(fmt::format("the selected cells have no '{}'{}", quantity, suggestion(quantity, quantities)));
+}
+
 BaselineEntry const& Baseline::entry(std::string const& label) const {
   if (label.empty()) return entries.back();
   std::vector<std::string> labels;

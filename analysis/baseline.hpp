@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/baseline_row.hpp"
+#include "analysis/expectation.hpp"
 
 namespace brouwer {
 
@@ -17,6 +18,9 @@ struct BaselineEntry {
   std::string study;                                            ///< canonical text: one `key = value` a line
   std::vector<std::pair<std::string, std::string>> provenance;  ///< versions, compiler, flags, CPU
   std::vector<BaselineRow> rows;
+
+  /// The same with the rows of one component in the selected cells alone. @throws InputError if there are none
+  BaselineEntry only(std::string const& quantity, Selector const& where = {}) const;
 };
 
 /// The history of one study's estimates, the latest last: a file that is kept beside the code.
