@@ -49,17 +49,20 @@ Eigen::ArrayXd bridges(ErrorMatrix const& errors, std::vector<double> const& tim
 }
 
 /// Standard error of ln σ = ½ ln σ²: half the relative one of the mean of the members' σ̂ᵢ².
-double log_error_of_diffusion(ErrorMatrix const& scaled, std::vector<double> const& times) {
-  if (scaled.cols() < 2) return undefined;
-  auto const mean = mean_of(bridges(scaled, times));
-  return mean.error / (2 * mean.value);
+void describe_increments(Ensemble const& ensemble, double scale, BaselineRow& row) {
+  auto const samples = ensemble.errors.cols();
+  if (samples < 2) return;
+  auto const mean = mean_of(bridges(scale * ensemble.errors, ensemble.times));
+  row.increment_size = std::sqrt(mean.value / static_cast<double>(samples - 1)) / scale;
+  row.increment_log_error = mean.error / (2 * mean.value);
 }
 
 void describe_slopes(Ensemble const& ensemble, double scale, BaselineRow& row) {
   Eigen::ArrayXd const slopes = scale * ensemble.errors.rightCols<1>().array() / ensemble.times.back();
   auto const mean = mean_of(slopes);
   auto const spread = mean_of((slopes - median(slopes)).abs());
-  row.drift_error = mean.error / scale;
+  row.slope_mean = mean.value / scale;
+  row.slope_error = mean.error / scale;
   row.slope_variance = mean.variance / scale / scale;
   row.slope_spread = spread.value / scale;
   row.slope_spread_error = spread.error / scale;
@@ -101,9 +104,10 @@ BaselineRow described(Estimates const& e) {
   return row;
 }
 
-void leave_errors_undefined(BaselineRow& row) {
-  row.drift_error = row.diffusion_log_error = row.exponent_error = undefined;
-  row.slope_variance = row.slope_spread = row.slope_spread_error = undefined;
+void leave_comparison_undefined(BaselineRow& row) {
+  for (double* number : {&row.slope_mean, &row.slope_error, &row.slope_variance, &row.slope_spread,
+                         &row.slope_spread_error, &row.increment_size, &row.increment_log_error, &row.exponent_error})
+    *number = undefined;
 }
 
 }  // namespace
@@ -111,11 +115,11 @@ void leave_errors_undefined(BaselineRow& row) {
 BaselineRow baseline_row(Ensemble const& ensemble, Estimates const& estimates) {
   BaselineRow row = described(estimates);
   row.digest = digest_of(ensemble);
-  leave_errors_undefined(row);
+  leave_comparison_undefined(row);
   if (ensemble.errors.rows() == 0 || ensemble.count) return row;
   double const scale = exact_scale(largest_magnitude(ensemble.errors));
   describe_slopes(ensemble, scale, row);
-  row.diffusion_log_error = log_error_of_diffusion(scale * ensemble.errors, ensemble.times);
+  describe_increments(ensemble, scale, row);
   row.exponent_error = (row.exponent_high - row.exponent_low) / 2 /
                        student_upper_quantile((1 - estimates.levels.confidence) / 2,
                                               static_cast<double>(std::min(row.members, most_groups) - 1));

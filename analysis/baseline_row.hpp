@@ -18,21 +18,21 @@ struct BaselineRow {
   std::int64_t members = 0, failed = 0, samples = 0;
   double duration = 0, rms_final = 0;
 
-  double drift = 0, drift_low = 0, drift_high = 0;
-  double drift_error = 0;  ///< standard error of β: sd(sᵢ)/√M, of M−1 degrees of freedom
-
-  double diffusion = 0, diffusion_low = 0, diffusion_high = 0;  ///< σ
-  double diffusion_log_error = 0;  ///< standard error of ln σ, from how the members' own σ̂ᵢ² differ
-
+  double drift = 0, drift_low = 0, drift_high = 0;                    ///< β
+  double diffusion = 0, diffusion_low = 0, diffusion_high = 0;        ///< σ
   double persistence = 0, persistence_low = 0, persistence_high = 0;  ///< τ
   double F = 0;
-  double slope_variance = 0;                        ///< var(sᵢ)
-  double slope_spread = 0, slope_spread_error = 0;  ///< mean of |sᵢ − median s|, and its standard error
-
   double noise = 0, noise_low = 0, noise_high = 0;  ///< ν
   double exponent = 0, exponent_low = 0, exponent_high = 0;
-  double exponent_error = 0;  ///< standard error of q, from its interval
-  double count_mean = 0;      ///< of a number of something; NaN of errors
+  double count_mean = 0;  ///< of a number of something; NaN of errors
+
+  // what is compared: of the closed form, whatever model the estimates above were fitted with
+  double slope_mean = 0, slope_error = 0;           ///< mean of sᵢ, and its standard error
+  double slope_variance = 0;                        ///< var(sᵢ)
+  double slope_spread = 0, slope_spread_error = 0;  ///< mean of |sᵢ − median s|, and its standard error
+  double increment_size = 0;                        ///< σ̂ of the increments about each member's slope
+  double increment_log_error = 0;  ///< standard error of ln σ̂, from how the members' own σ̂ᵢ² differ
+  double exponent_error = 0;       ///< standard error of q, from its interval
 
   std::vector<double> slopes;  ///< sᵢ of the members in their order; empty in all but a file's last entry
 };

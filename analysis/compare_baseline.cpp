@@ -25,8 +25,8 @@ struct Telling {
   bool is_ratio;
   bool is_harmful;
 };
-constexpr Telling tellings[] = {{Of::drift, "drift β", &BaselineRow::drift, false, true},
-                                {Of::diffusion, "diffusion σ", &BaselineRow::diffusion, true, true},
+constexpr Telling tellings[] = {{Of::drift, "drift β", &BaselineRow::slope_mean, false, true},
+                                {Of::diffusion, "diffusion σ", &BaselineRow::increment_size, true, true},
                                 {Of::slopes, "spread of the slopes", &BaselineRow::slope_spread, true, true},
                                 {Of::exponent, "exponent q", &BaselineRow::exponent, false, false}};
 

@@ -35,7 +35,7 @@ bool can_be_paired(Pair const& pair) {
 
 /// Standard error of the mean of the members' differences.
 double paired_error(Pair const& pair) {
-  double const mean = pair.now.drift - pair.recorded.drift,
+  double const mean = pair.now.slope_mean - pair.recorded.slope_mean,
                largest = std::max(std::abs(pair.now.slopes[0]), std::abs(mean));
   double const unit = largest > 0 ? largest : 1;  // no square of a slope of 1e-170 is to vanish
   double sum = 0;
@@ -48,16 +48,16 @@ double paired_error(Pair const& pair) {
 }
 
 Effect drift(Pair const& pair) {
-  double const change = pair.now.drift - pair.recorded.drift;
-  auto effect = welch(Effect::Of::drift, change, pair.recorded.drift_error, pair.now.drift_error, pair);
+  double const change = pair.now.slope_mean - pair.recorded.slope_mean;
+  auto effect = welch(Effect::Of::drift, change, pair.recorded.slope_error, pair.now.slope_error, pair);
   if (can_be_paired(pair)) effect = {Effect::Of::drift, change, paired_error(pair), degrees(pair.now), false, 1};
-  effect.is_larger = std::abs(pair.now.drift) > std::abs(pair.recorded.drift);
+  effect.is_larger = std::abs(pair.now.slope_mean) > std::abs(pair.recorded.slope_mean);
   return effect;
 }
 
 Effect diffusion(Pair const& pair) {
-  return welch(Effect::Of::diffusion, std::log(pair.now.diffusion / pair.recorded.diffusion),
-               pair.recorded.diffusion_log_error, pair.now.diffusion_log_error, pair);
+  return welch(Effect::Of::diffusion, std::log(pair.now.increment_size / pair.recorded.increment_size),
+               pair.recorded.increment_log_error, pair.now.increment_log_error, pair);
 }
 
 Effect slopes(Pair const& pair) {

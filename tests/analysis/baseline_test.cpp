@@ -68,8 +68,10 @@ TEST(BaselineRow, HoldsTheEstimatesAndTheirStandardErrors) {
   auto const estimates = estimate(e, {});
   auto const r = baseline_row(e, estimates);
   EXPECT_EQ(r.drift, estimates.drift.per_step);
-  EXPECT_NEAR(r.drift / r.drift_error, estimates.drift.t, 1e-9 * std::abs(estimates.drift.t));
+  EXPECT_NEAR(r.drift / r.slope_error, estimates.drift.t, 1e-9 * std::abs(estimates.drift.t));
   EXPECT_EQ(r.diffusion, estimates.diffusion.per_sqrt_step);
+  EXPECT_NEAR(r.increment_size, r.diffusion, 1e-12 * r.diffusion);
+  EXPECT_NEAR(r.slope_mean, r.drift, 1e-12 * r.slope_error);
   EXPECT_EQ(r.slopes.size(), 16U);
   EXPECT_NEAR(r.F, r.duration * r.slope_variance / (r.diffusion * r.diffusion), 1e-9 * r.F);
   EXPECT_EQ(r.duration, 1000);
@@ -82,7 +84,7 @@ TEST(BaselineRow, ItsErrorOfTheDiffusionIsHowEnsemblesDiffer) {
     auto const r = row(seed);
     sum += std::log(r.diffusion);
     squares += std::pow(std::log(r.diffusion), 2);
-    said += r.diffusion_log_error / ensembles;
+    said += r.increment_log_error / ensembles;
   }
   double const spread = std::sqrt(squares / ensembles - std::pow(sum / ensembles, 2));
   EXPECT_NEAR(said / spread, 1, 0.12);  // three standard errors of a standard deviation of 400
@@ -92,8 +94,8 @@ TEST(BaselineRow, IsTheSameWhateverTheUnit) {
   auto small = ensemble(3);
   small.errors *= 0x1p-900;
   auto const r = baseline_row(small, estimate(small, {})), usual = row(3);
-  EXPECT_EQ(r.drift_error, usual.drift_error * 0x1p-900);
-  EXPECT_EQ(r.diffusion_log_error, usual.diffusion_log_error);
+  EXPECT_EQ(r.slope_error, usual.slope_error * 0x1p-900);
+  EXPECT_EQ(r.increment_log_error, usual.increment_log_error);
   EXPECT_EQ(r.slope_spread_error, usual.slope_spread_error * 0x1p-900);
 }
 
@@ -116,7 +118,7 @@ TEST(BaselineFile, ReturnsTheSameBits) {
   auto const& b = after.entry().rows[1];
   EXPECT_EQ(a.cell, b.cell);
   EXPECT_EQ(a.slopes, b.slopes);
-  EXPECT_EQ(a.drift_error, b.drift_error);
+  EXPECT_EQ(a.slope_error, b.slope_error);
   EXPECT_TRUE(std::isnan(b.count_mean)) << "null";
   EXPECT_EQ(after.entry().study, study);
   EXPECT_EQ(after.entry().provenance, before.entry().provenance);
@@ -177,7 +179,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"syntax", "\"entries\": [", "\"entries\": ", "b.json:"},
         Damage{"format", "baseline 1", "baseline 9",
                "b.json: expected the format 'brouwer baseline 1', found 'brouwer baseline 9'"},
-        Damage{"no_key", "\"drift_error\"", "\"drift_eror\"", "b.json: entry 1: row 1: 'drift_error' is missing"},
+        Damage{"no_key", "\"slope_error\"", "\"slope_eror\"", "b.json: entry 1: row 1: 'slope_error' is missing"},
         Damage{"no_number", "\"samples\": 8", "\"samples\": \"many\"",
                "b.json: entry 1: row 1: samples: expected a number, found 'many'"},
         Damage{"half_a_number", "\"duration\": 1000", "\"duration\": \"1000 steps\"",

@@ -47,7 +47,7 @@ TEST(DriftTest, ComparesWithABaseline) {
   auto drifting = before.only("energy", {.method = "elliptic-naive"});
   EXPECT_THAT(others.recorded().only("energy", {.method = "elliptic-naive"}), IsNotWorseThan(drifting));
   EXPECT_THAT(others.recorded().only("casimir"), Not(IsNotWorseThan(drifting))) << "it is gone";
-  drifting.rows[0].drift /= 2;  // as if it had been better
+  drifting.rows[0].slope_mean /= 2;  // as if it had been better
   testing::StringMatchResultListener said;
   EXPECT_FALSE(testing::ExplainMatchResult(IsNotWorseThan(drifting), others.recorded().only("energy"), &said));
   EXPECT_THAT(said.str(), HasSubstr("drift β is larger: −1.1"));
