@@ -15,6 +15,9 @@ namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
+/// Beyond, a baseline would be megabytes; and so many members see a change without being paired.
+constexpr Eigen::Index most_paired = 4096;
+
 struct Mean {
   double value = 0, error = 0;  ///< and its standard error
   double variance = 0;          ///< of one number
@@ -67,7 +70,7 @@ void describe_slopes(Ensemble const& ensemble, double scale, BaselineRow& row) {
   row.slope_spread = spread.value / scale;
   row.slope_spread_error = spread.error / scale;
   Eigen::ArrayXd const own = slopes / scale;
-  row.slopes.assign(own.begin(), own.end());
+  if (own.size() <= most_paired) row.slopes.assign(own.begin(), own.end());
 }
 
 /// [0, 0] is an interval that nobody has estimated.

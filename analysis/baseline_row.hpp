@@ -34,7 +34,7 @@ struct BaselineRow {
   double increment_log_error = 0;  ///< standard error of ln σ̂, from how the members' own σ̂ᵢ² differ
   double exponent_error = 0;       ///< standard error of q, from its interval
 
-  std::vector<double> slopes;  ///< sᵢ of the members in their order; empty in all but a file's last entry
+  std::vector<double> slopes;  ///< sᵢ of at most 4096 members in their order; empty in all but a file's last entry
 };
 
 /// The standard errors of σ and of the slopes' spread are those of means over members: whatever the increments' law or
