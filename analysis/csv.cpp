@@ -31,7 +31,8 @@ bool is_misspelt(std::string const& name) {
 }
 
 bool is_long_form(CsvHeader const& header) {
-  if (header.find("member") || header.find("error")) return true;
+  for (auto const* name : {"member", "error", "value"})
+    if (header.find(name)) return true;
   return header.names.size() <= 8 && std::any_of(header.names.begin(), header.names.end(), is_misspelt);
 }
 
@@ -85,8 +86,8 @@ void require_fields(CsvLines const& lines, CsvFields const& fields, std::size_t 
 void require_zero_start(CsvLines const& lines, double error) {
   if (error != 0)
     lines.complain(
-        fmt::format("the error at time 0 is {:g}, and errors are counted from 0 there: subtract it, or shift "
-                    "the times",
+        fmt::format("the error at time 0 is {:g}, and errors are counted from 0 there: subtract it "
+                    "(--subtract-start does), or shift the times",
                     error));
 }
 
@@ -99,7 +100,7 @@ void require_an_ensemble(CsvLines const& lines, Ensemble const& ensemble, std::s
                                  ensemble.errors.cols() == 1 ? "one sample time only" : "no sample time", of));
 }
 
-std::vector<Ensemble> read_csv(std::filesystem::path const& file) {
+std::vector<Ensemble> read_csv(std::filesystem::path const& file, FileValues values) {
   CsvLines lines(file);
   std::string_view line;
   if (!lines.next(line))
@@ -109,8 +110,13 @@ std::vector<Ensemble> read_csv(std::filesystem::path const& file) {
   CsvFields fields;
   split(line, delimiter_of(line), fields);
   auto const header = header_of(lines, line, fields);
-  if (is_long_form(header)) return read_long_form(lines, header);
-  return {read_wide_form(lines, header, header.names.empty() ? fields : CsvFields{})};
+  std::vector<Ensemble> ensembles;
+  if (is_long_form(header))
+    ensembles = read_long_form(lines, header, values);
+  else
+    ensembles.push_back(read_wide_form(lines, header, header.names.empty() ? fields : CsvFields{}, values));
+  for (auto& ensemble : ensembles) count_from_start(ensemble, values, lines.file());
+  return ensembles;
 }
 
 }  // namespace brouwer

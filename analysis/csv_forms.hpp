@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/csv_lines.hpp"
+#include "analysis/from_start.hpp"
 
 namespace brouwer {
 
@@ -24,7 +25,8 @@ struct TimeName {
   char const* name;
   char const* unit;
 };
-constexpr TimeName time_names[] = {{"time", "time unit"}, {"t", "time unit"}, {"steps", "step"}, {"step", "step"}};
+constexpr TimeName time_names[] = {
+    {"time", "time unit"}, {"times", "time unit"}, {"t", "time unit"}, {"steps", "step"}, {"step", "step"}};
 
 /// The finite number in a column, or a complaint with line, column and what stood there.
 double number_at(CsvLines const& lines, CsvHeader const& header, CsvFields const& fields, std::size_t column);
@@ -42,10 +44,10 @@ void require_zero_start(CsvLines const& lines, double error);
 void require_an_ensemble(CsvLines const& lines, Ensemble const& ensemble, std::string const& of);
 
 /// Reads the lines behind the header.
-std::vector<Ensemble> read_long_form(CsvLines& lines, CsvHeader const& header);
+std::vector<Ensemble> read_long_form(CsvLines& lines, CsvHeader const& header, FileValues values);
 
 /// @param first  the fields of the first line of data, which is what the caller has read last; empty if that was a
 /// header
-Ensemble read_wide_form(CsvLines& lines, CsvHeader const& header, CsvFields first);
+Ensemble read_wide_form(CsvLines& lines, CsvHeader const& header, CsvFields first, FileValues values);
 
 }  // namespace brouwer

@@ -34,6 +34,7 @@ struct LongColumns {
   std::size_t time = 0, member = 0, error = 0;
   std::string time_unit;
   std::vector<LabelColumn> labels;
+  bool starts_from_zero = true;  // the errors at time 0 are to be 0, and are left out
 };
 
 std::string joined(std::vector<std::string> const& names) {
@@ -54,7 +55,16 @@ std::size_t required_column(CsvLines const& lines, CsvHeader const& header, std:
   return *found;
 }
 
-LongColumns columns_of(CsvLines const& lines, CsvHeader const& header) {
+/// Values may be called so; as errors they are taken only where they are said to be some.
+std::size_t error_column(CsvLines const& lines, CsvHeader const& header, FileValues values) {
+  if (!header.find("value")) return required_column(lines, header, "error");
+  if (values == FileValues::errors && !header.find("error"))
+    lines.complain(
+        "expected a column 'error', found 'value': --subtract-start or --relative-to-start makes errors of values");
+  return required_column(lines, header, values == FileValues::errors ? "error" : "value");
+}
+
+LongColumns columns_of(CsvLines const& lines, CsvHeader const& header, FileValues values) {
   LongColumns columns;
   TimeName const* time = std::find_if(std::begin(time_names), std::end(time_names),
                                       [&](TimeName const& t) { return header.find(t.name).has_value(); });
@@ -62,7 +72,8 @@ LongColumns columns_of(CsvLines const& lines, CsvHeader const& header) {
   columns.time = required_column(lines, header, time->name);
   columns.time_unit = time->unit;
   columns.member = required_column(lines, header, "member");
-  columns.error = required_column(lines, header, "error");
+  columns.starts_from_zero = values == FileValues::errors;
+  columns.error = error_column(lines, header, values);
   for (auto const& label : labels)
     if (auto const column = header.find(label.name)) columns.labels.push_back({&label, *column});
   return columns;
@@ -106,7 +117,7 @@ void add_line(CsvLines const& lines, CsvHeader const& header, LongColumns const&
   double const time = time_at(lines, header, fields, columns.time);
   double const error = number_at(lines, header, fields, columns.error);
   if (fields[columns.member].empty()) lines.complain("the member is missing: expected its number or name");
-  if (time > 0)
+  if (time > 0 || !columns.starts_from_zero)
     tables.of(fields).add(fields[columns.member], time, error, lines.number());
   else
     require_zero_start(lines, error);
@@ -114,8 +125,8 @@ void add_line(CsvLines const& lines, CsvHeader const& header, LongColumns const&
 
 }  // namespace
 
-std::vector<Ensemble> read_long_form(CsvLines& lines, CsvHeader const& header) {
-  auto const columns = columns_of(lines, header);
+std::vector<Ensemble> read_long_form(CsvLines& lines, CsvHeader const& header, FileValues values) {
+  auto const columns = columns_of(lines, header, values);
   LongTables tables(columns);
   CsvFields fields;
   for (std::string_view line; lines.next(line);) {

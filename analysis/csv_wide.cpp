@@ -10,26 +10,28 @@
 namespace brouwer {
 namespace {
 
-/// The rows as they come, without a time 0.
+/// The rows as they come; of errors, without a time 0.
 struct WideTable {
-  std::size_t columns = 0;  // time and members
+  std::size_t columns = 0;       // time and members
+  bool starts_from_zero = true;  // the errors at time 0 are to be 0, and are left out
   std::vector<double> times;
   std::vector<std::int64_t> line_numbers;
   std::vector<double> errors;  // [time][member]
 
   std::size_t members() const { return columns - 1; }
+  bool is_kept(double time) const { return time > 0 || !starts_from_zero; }
 
   void add(CsvLines const& lines, CsvHeader const& header, CsvFields const& fields) {
     require_fields(lines, fields, columns);
     double const time = time_at(lines, header, fields, 0);
     for (std::size_t column = 1; column < columns; ++column) {
       double const error = number_at(lines, header, fields, column);
-      if (time > 0)
+      if (is_kept(time))
         errors.push_back(error);
       else
         require_zero_start(lines, error);
     }
-    if (time == 0) return;
+    if (!is_kept(time)) return;
     times.push_back(time);
     line_numbers.push_back(lines.number());
   }
@@ -77,9 +79,9 @@ std::string time_unit(CsvLines const& lines, CsvHeader const& header) {
 
 }  // namespace
 
-Ensemble read_wide_form(CsvLines& lines, CsvHeader const& header, CsvFields first) {
+Ensemble read_wide_form(CsvLines& lines, CsvHeader const& header, CsvFields first, FileValues values) {
   std::string const unit = time_unit(lines, header);
-  WideTable table{header.names.empty() ? first.size() : header.names.size(), {}, {}, {}};
+  WideTable table{header.names.empty() ? first.size() : header.names.size(), values == FileValues::errors, {}, {}, {}};
   if (!first.empty()) table.add(lines, header, first);
   for (std::string_view line; lines.next(line);) {
     split(line, header.delimiter, first);

@@ -27,7 +27,7 @@ bool is_named(std::string const& name, Estimates const& row) { return row.quanti
 Indices selected(Expectation const& expectation, Rows const& rows) {
   Indices found;
   for (std::size_t i = 0; i < rows.size(); ++i)
-    if (is_named(expectation.of, rows[i]) && expectation.where.matches(rows[i].cell)) found.push_back(i);
+    if (speaks_of(expectation, rows[i])) found.push_back(i);
   return found;
 }
 
@@ -154,6 +154,10 @@ void check_one(Expectation const& expectation, Rows const& rows, FitSweep const&
 }
 
 }  // namespace
+
+bool speaks_of(Expectation const& expectation, Estimates const& row) {
+  return is_named(expectation.of, row) && expectation.where.matches(row.cell);
+}
 
 bool Selector::matches(CellLabels const& cell) const {
   auto const is = [](auto const& wanted, auto const& level) { return !wanted || *wanted == level; };

@@ -12,6 +12,9 @@ struct SweepLaw;  // analysis/sweep.hpp
 /// Fits RMS = a·hᵖ·t^q over the ensembles that these estimates speak of (indices into the estimates).
 using FitSweep = std::function<SweepLaw(std::vector<std::size_t> const& rows)>;
 
+/// Is this row's component or quantity named, and its cell selected?
+bool speaks_of(Expectation const& expectation, Estimates const& row);
+
 /// Confronts what a study expects with what was estimated: an outcome for each part of an expectation (drift, growth,
 /// persistence, mean, RMS, verdict) and each row that it speaks of, and for step_exponent one for each set of rows that differ in
 /// nothing but the step. An expectation that speaks of no row has failed, and its outcome says what there is.

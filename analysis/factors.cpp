@@ -17,6 +17,8 @@ std::string said(std::string const& level) { return level == no_level ? "" : lev
 std::string functions(Cell const& c) { return said(c.special_functions); }
 std::string coefficients(Cell const& c) { return said(c.coefficients); }
 std::string step(Cell const& c) { return c.step > 0 ? fmt::format("{}", c.step) : ""; }
+/// Of another program's ensemble, which has no steps, nobody knows how it was summed.
+std::string sum(Cell const& c) { return c.steps == 0 ? "" : c.compensation ? "compensated" : "plain"; }
 std::string steps(Cell const& c) { return c.steps > 0 ? fmt::format("{}", c.steps) : ""; }
 
 std::string with(char const* before, std::string const& level, char const* after) {
@@ -29,8 +31,7 @@ Factor const factors[] = {
     {"arithmetic", [](Cell const& c) { return c.arithmetic; }, [](Cell const& c) { return c.arithmetic; }},
     {"functions", functions, [](Cell const& c) { return with("", functions(c), " functions"); }},
     {"coefficients", coefficients, [](Cell const& c) { return with("", coefficients(c), " coefficients"); }},
-    {"sum", [](Cell const& c) { return std::string(c.compensation ? "compensated" : "plain"); },
-     [](Cell const& c) { return std::string(c.compensation ? "compensated" : "not compensated"); }},
+    {"sum", sum, [](Cell const& c) { return sum(c) == "plain" ? "not compensated" : sum(c); }},
     {"h", step, [](Cell const& c) { return with("h = ", step(c), ""); }},
     {"steps", steps, [](Cell const& c) { return with("", steps(c), " steps"); }},
 };

@@ -8,6 +8,12 @@
 ///       EXPECT_THAT(energy, brouwer::GrowsAs(0.5, 0.05));
 ///     }
 ///
+/// And against what `brouwer baseline` has recorded, all of it or single rows:
+///
+///       auto const before = brouwer::read_baseline("data/baselines/elliptic-drift.json").entry();
+///       EXPECT_THAT(study.recorded(), brouwer::IsNotWorseThan(before));
+///       EXPECT_THAT(study.recorded().only("energy"), brouwer::IsNotWorseThan(before.only("energy")));
+///
 /// Link with brouwer::program and GTest::gmock. A study's result depends on the study alone (seeds are in it), so such a test
 /// passes always or never, on any number of threads.
 #include <fmt/format.h>
@@ -21,7 +27,9 @@
 #include <string>
 #include <vector>
 
+#include "analysis/compare_baseline.hpp"
 #include "studies/commands/findings.hpp"
+#include "studies/commands/recording.hpp"
 #include "studies/read.hpp"
 
 namespace brouwer {
@@ -49,7 +57,10 @@ class StudyRun {
 
   std::vector<Estimates> const& rows() const { return findings_.rows(); }
 
-  /// What became of the study's own [[expect]].
+  /// What a baseline records of this run.
+  BaselineEntry recorded() const { return brouwer::recorded(findings_, folder_.path); }
+
+  /// What became of the study's own [[expect]], and of guards that failed.
   std::vector<Outcome> outcomes() const { return findings_.check(file_.expectations); }
 
  private:
@@ -132,7 +143,32 @@ inline MeetsClaim GrowsAs(double exponent, double within) {
   return MeetsClaim(claim);
 }
 
+/// What a study records now against what was recorded, by the same code as `check --baseline`; all
+/// questions together keep the level.
+class IsNotWorseThan {
+ public:
+  using is_gtest_matcher = void;
+  explicit IsNotWorseThan(BaselineEntry recorded, Levels const& levels = {})
+      : recorded_(std::move(recorded)), levels_(levels) {}
+
+  bool MatchAndExplain(BaselineEntry const& now, std::ostream* explanation) const {
+    bool passed = true;
+    for (auto const& outcome : compare(recorded_, now, levels_)) {
+      passed = passed && outcome.passed;
+      if (explanation) *explanation << "\n" << outcome.claim << ": " << outcome.found;
+    }
+    return passed;
+  }
+  void DescribeTo(std::ostream* out) const { *out << "is not worse than '" << recorded_.label << "'"; }
+  void DescribeNegationTo(std::ostream* out) const { *out << "is worse than '" << recorded_.label << "'"; }
+
+ private:
+  BaselineEntry recorded_;
+  Levels levels_;
+};
+
 /// For messages of failed tests.
+inline void PrintTo(BaselineEntry const& entry, std::ostream* out) { *out << entry.rows.size() << " recorded rows"; }
 inline void PrintTo(Estimates const& row, std::ostream* out) { *out << row.quantity << ": " << row.sentence; }
 inline void PrintTo(Outcome const& outcome, std::ostream* out) {
   *out << (outcome.passed ? "passed: " : "failed: ") << outcome.claim << "; found " << outcome.found;

@@ -2,47 +2,67 @@
 
 #include <brouwer/error.hpp>
 #include <brouwer/store/whole_file.hpp>
+#include <numeric>
 
+#include "analysis/compare_baseline.hpp"
 #include "analysis/junit.hpp"
+#include "analysis/study_change.hpp"
 #include "studies/commands/commands.hpp"
 #include "studies/commands/findings.hpp"
+#include "studies/commands/recording.hpp"
 #include "studies/commands/run_study.hpp"
 
 namespace brouwer {
 namespace {
 
-/// A study file is run as far as it is missing; a folder is judged as it is. Nothing: interrupted.
-std::optional<std::filesystem::path> results_of(StudyFile const& file, CheckCommand const& command,
-                                                Catalogue const& catalogue) {
-  RunOptions const options = run_options(command.settings);
-  auto const folder = result_folder(file, command.settings);
-  print_study(file, catalogue, folder);
-  return run_missing(file, catalogue, folder, options) ? std::optional(folder) : std::nullopt;
-}
-
-void refuse_nothing_to_check(StudyFile const& file) {
-  if (!file.expectations.empty()) return;
+void refuse_nothing_to_check(StudyFile const& file, CheckCommand const& command) {
+  if (command.baseline.empty() && !command.entry.empty())
+    throw InputError("--entry names an entry of a baseline; give its file with --baseline FILE");
+  if (!file.expectations.empty() || !command.baseline.empty()) return;
   std::string const why = file.unjudged.empty() ? "it has no [[expect]]" : file.unjudged.front();
   throw InputError(fmt::format("{}: there is nothing to check: {}", file.path.string(), why));
 }
 
-void refuse_run_settings(RunSettings const& settings) {
-  if (!settings.overrides.empty() || !settings.folder.empty())
-    throw InputError(
-        "--output, --members, --steps and --set belong to a study file; a folder of results is judged as it is");
+/// The recorded entry, if a baseline was named. Before a run, which may be long.
+std::optional<BaselineEntry> recorded_entry(CheckCommand const& command) {
+  if (command.baseline.empty()) return std::nullopt;
+  return read_baseline(command.baseline).entry(command.entry);
+}
+
+/// The rows that are judged: those that are expected something of, all where they are compared with a baseline.
+std::vector<std::size_t> judged_rows(Findings const& findings, StudyFile const& file, bool all) {
+  if (!all) return findings.rows_of(file.expectations);
+  std::vector<std::size_t> rows(findings.rows().size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  return rows;
+}
+
+std::vector<Outcome> against(BaselineEntry const& entry, Findings const& findings, std::filesystem::path const& folder,
+                             Levels const& levels) {
+  auto const now = recorded(findings, folder);
+  auto outcomes = compare(entry, now, levels);
+  if (auto const changes = harmless_changes(entry.study, now.study); !changes.empty())
+    fmt::print(stderr, "brouwer: the baseline's study is not quite this one: {}\n", changes);
+  return outcomes;
+}
+
+void append(std::vector<Outcome>& all, std::vector<Outcome> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
 }  // namespace
 
 int check(CheckCommand const& command, Catalogue const& catalogue) {
-  bool const stored = std::filesystem::is_directory(command.subject);
-  if (stored) refuse_run_settings(command.settings);
-  StudyFile const file = stored ? read_stored_study(command.subject, catalogue)
-                                : read_study(command.subject, catalogue, command.settings.overrides);
-  refuse_nothing_to_check(file);
-  auto const folder = stored ? std::filesystem::path(command.subject) : results_of(file, command, catalogue);
+  StudyFile const file = read_subject(command.subject, command.settings, catalogue);
+  refuse_nothing_to_check(file, command);
+  auto const entry = recorded_entry(command);
+  auto const folder = results_of(file, command.subject, command.settings, catalogue);
   if (!folder) return interrupted;
-  auto const outcomes = Findings({folder->string()}, command.settings.levels).check(file.expectations);
+  Levels const& levels = command.settings.levels;
+  Findings const findings({folder->string()}, levels);
+  auto outcomes = findings.expected(file.expectations);
+  append(outcomes, findings.guards(judged_rows(findings, file, entry.has_value())));
+  if (entry) append(outcomes, against(*entry, findings, *folder, levels));
   print_outcomes(outcomes, file.unjudged);
   if (!command.junit.empty()) write_whole(command.junit, to_junit(file.study.name, outcomes));
   return exit_status(outcomes);

@@ -71,11 +71,24 @@ void add_computing(CLI::App& app, RunSettings& settings) {
   add_levels(app, settings.levels);
 }
 
-void add_run_settings(CLI::App& app, RunSettings& settings) {
-  app.add_option("-o,--output", settings.folder, "folder of the results (default: results/NAME)")->type_name("DIR");
+void add_run_settings(CLI::App& app, RunSettings& settings, std::string const& folder_option = "-o,--output") {
+  app.add_option(folder_option, settings.folder, "folder of the results (default: results/NAME)")->type_name("DIR");
   add_override(app, settings.overrides, "--members", "ensemble.members", "members in place of the study's");
   add_override(app, settings.overrides, "--steps", "integrate.steps", "steps in place of the study's");
   add_computing(app, settings);
+}
+
+void add_file_reading(CLI::App& app, FileReading& reading) {
+  app.add_option("--dataset", reading.dataset, "the matrix in an HDF5 file, or a group of them (default: guess)")
+      ->type_name("PATH");
+  app.add_option("--times", reading.times, "the times in an HDF5 file (default: guess)")->type_name("PATH");
+  auto const say = [&](FileValues values) { return [&reading, values](std::int64_t) { reading.values = values; }; };
+  auto* const subtract =
+      app.add_flag_function("--subtract-start", say(FileValues::subtract_start),
+                            "the file holds values (energies), no errors: error = value − value at the first time");
+  app.add_flag_function("--relative-to-start", say(FileValues::relative_to_start),
+                        "likewise, divided by the size of the value at the first time")
+      ->excludes(subtract);
 }
 
 std::vector<std::string> subcommand_names(CLI::App const& app) {
@@ -127,6 +140,7 @@ CommandLine::CommandLine() : app_(help_introduction(), "brouwer") {
   add_plan();
   add_probe();
   add_check();
+  add_baseline();
   add_table();
   add_plot();
   add_report();
@@ -181,7 +195,21 @@ void CommandLine::add_check() {
       ->type_name("STUDY|RESULT")
       ->required();
   app->add_option("--junit", command->junit, "write the outcome as JUnit XML")->type_name("FILE");
+  app->add_option("--baseline", command->baseline, "compare with what was recorded there, too")->type_name("FILE");
+  app->add_option("--entry", command->entry, "with this entry of the baseline (default: the last)")->type_name("LABEL");
   add_run_settings(*app, command->settings);
+}
+
+void CommandLine::add_baseline() {
+  auto [app, command] =
+      add<BaselineCommand>("baseline", "record estimates, for later runs to be compared with", baseline);
+  app->add_option("subject", command->subject, "study file, or a folder of results")->type_name("STUDY|RESULT");
+  app->add_option("-o,--output", command->file, "the baseline: a new file, or one that gets a further entry")
+      ->type_name("FILE.json");
+  app->add_option("--label", command->label, "of the entry (default: version and commit)")->type_name("TEXT");
+  app->add_option("--date", command->date, "kept with the entry (default: none)")->type_name("TEXT");
+  app->add_option("--list", command->list, "show the history in this file, and record nothing")->type_name("FILE.json");
+  add_run_settings(*app, command->settings, "--results");
 }
 
 void CommandLine::add_table() {
@@ -215,11 +243,12 @@ void CommandLine::add_report() {
 }
 
 void CommandLine::add_fit() {
-  auto [app, command] = add<FitCommand>("fit", "the same inference on anybody's ensemble, from a csv",
+  auto [app, command] = add<FitCommand>("fit", "the same inference on anybody's ensemble, from a csv or HDF5 file",
                                         [](FitCommand const& c, Catalogue const&) { return fit(c); });
-  app->add_option("file", command->file, "columns time, member, error; or time and one column a member")
-      ->type_name("FILE.csv")
+  app->add_option("file", command->file, "csv (columns time, member, error; or time and one column a member) or HDF5")
+      ->type_name("FILE")
       ->required();
+  add_file_reading(*app, command->reading);
   app->add_option("--format", command->format, "text, csv, markdown, latex or json")->capture_default_str();
   app->add_option("--plot", command->figures, "draw figures there")->type_name("DIR");
   add_levels(*app, command->levels);

@@ -33,6 +33,7 @@ class CommandLine {
   void add_plan();
   void add_probe();
   void add_check();
+  void add_baseline();
   void add_table();
   void add_plot();
   void add_report();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/ensembles_file.hpp"
 #include "analysis/estimates.hpp"
 #include "studies/reading/overrides.hpp"
 
@@ -67,13 +68,25 @@ struct ReportCommand {
 };
 
 struct CheckCommand {
+  std::string subject;   ///< a study file or a result folder
+  std::string junit;     ///< "": none
+  std::string baseline;  ///< with what it is compared, too; "": nothing
+  std::string entry;     ///< of that baseline, by its label; "": the last
+  RunSettings settings;
+};
+
+struct BaselineCommand {
   std::string subject;  ///< a study file or a result folder
-  std::string junit;    ///< "": none
+  std::string file;     ///< where the history is kept
+  std::string label;    ///< "": version and commit
+  std::string date;     ///< "": none
+  std::string list;     ///< a history to show instead; "": none
   RunSettings settings;
 };
 
 struct FitCommand {
   std::string file;
+  FileReading reading;
   std::string format = "text";
   std::string figures;  ///< "": none
   Levels levels;
@@ -98,6 +111,7 @@ int table(TableCommand const& command);
 int plot(PlotCommand const& command, Catalogue const& catalogue);
 int report(ReportCommand const& command, Catalogue const& catalogue);
 int check(CheckCommand const& command, Catalogue const& catalogue);
+int baseline(BaselineCommand const& command, Catalogue const& catalogue);
 int fit(FitCommand const& command);
 int integrate(IntegrateCommand const& command, Catalogue const& catalogue);
 int list(ListCommand const& command, Catalogue const& catalogue);

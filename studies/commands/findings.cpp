@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <brouwer/error.hpp>
+#include <map>
 
 #include "analysis/factors.hpp"
 #include "analysis/failures.hpp"
+#include "analysis/guards.hpp"
 #include "analysis/inference.hpp"
 #include "analysis/sweep.hpp"
 #include "studies/commands/commands.hpp"
@@ -86,13 +88,40 @@ std::string Findings::unfinished() const {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-std::vector<Outcome> Findings::check(std::vector<Expectation> const& expectations) const {
+std::vector<Outcome> Findings::expected(std::vector<Expectation> const& expectations) const {
   auto const sweep = [this](std::vector<std::size_t> const& rows) {
     std::vector<Ensemble> cells;
     for (auto row : rows) cells.push_back(ensemble(row));
     return fit_sweep(cells, levels_);
   };
   return brouwer::check(expectations, rows_, sweep);
+}
+
+std::vector<Outcome> Findings::check(std::vector<Expectation> const& expectations) const {
+  auto outcomes = expected(expectations);
+  for (auto& guard : guards(rows_of(expectations)))
+    if (!guard.passed) outcomes.push_back(std::move(guard));
+  return outcomes;
+}
+
+std::vector<std::size_t> Findings::rows_of(std::vector<Expectation> const& expectations) const {
+  std::vector<std::size_t> found;
+  for (std::size_t row = 0; row < rows_.size(); ++row)
+    if (std::any_of(expectations.begin(), expectations.end(), [&](auto const& e) { return speaks_of(e, rows_[row]); }))
+      found.push_back(row);
+  return found;
+}
+
+std::vector<Outcome> Findings::guards(std::vector<std::size_t> const& rows) const {
+  std::map<std::pair<std::size_t, std::size_t>, GuardedCell> cells;
+  for (auto const row : rows) {
+    auto& cell = cells[{places_[row].results, places_[row].cell}];
+    if (cell.rows.empty()) cell = {rows_[row].cell, results_[places_[row].results].ends(places_[row].cell), {}};
+    cell.rows.push_back(rows_[row]);
+  }
+  std::vector<GuardedCell> guarded;
+  for (auto& [place, cell] : cells) guarded.push_back(std::move(cell));
+  return check_guards(guarded);
 }
 
 void print_verdicts(std::vector<Estimates> const& rows) {

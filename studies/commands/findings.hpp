@@ -30,7 +30,14 @@ class Findings {
   /// "unfinished: 900 of 4200 members in 14 cells"; "" where every planned member is there.
   std::string unfinished() const;
 
+  /// What becomes of the expectations.
+  std::vector<Outcome> expected(std::vector<Expectation> const& expectations) const;
+  /// The same, and those guards that fail in cells on which they rest.
   std::vector<Outcome> check(std::vector<Expectation> const& expectations) const;
+  /// All guards of the cells of these rows (indices), also those that hold.
+  std::vector<Outcome> guards(std::vector<std::size_t> const& rows) const;
+  /// The rows that these expectations speak of.
+  std::vector<std::size_t> rows_of(std::vector<Expectation> const& expectations) const;
 
  private:
   struct Place {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
-#include "analysis/csv.hpp"
+#include "analysis/ensembles_file.hpp"
+#include "analysis/guards.hpp"
 #include "analysis/inference.hpp"
 #include "analysis/plots.hpp"
 #include "analysis/tables.hpp"
@@ -13,7 +14,8 @@ int fit(FitCommand const& command) {
   TableFormat const format = table_format(command.format);
   std::vector<Estimates> rows;
   std::vector<std::vector<double>> final_errors;
-  for (auto const& ensemble : read_csv(command.file)) {
+  for (auto const& ensemble : read_ensembles(command.file, command.reading)) {
+    for (auto const& doubt : doubts(ensemble)) fmt::print(stderr, "brouwer: {}: {}\n", ensemble.quantity, doubt);
     rows.push_back(estimate(ensemble, command.levels));
     final_errors.push_back(final_errors_of(ensemble));
   }

@@ -57,7 +57,21 @@ Examples:
 
 Examples:
   brouwer check studies/elliptic-drift.toml --junit outcome.xml
-  brouwer check results/elliptic-drift)"},
+  brouwer check results/elliptic-drift
+  brouwer check studies/elliptic-drift.toml --baseline data/baselines/elliptic-drift.json
+
+Guards are checked beside the expectations: that the state has moved, the frame rests, the members differ, t and F are
+finite, most members came through. With --baseline, a row fails where its drift, diffusion or spread of slopes has grown
+significantly, or where it is gone; all questions together are asked at --level.)"},
+      {"baseline",
+       R"(Records of each quantity of each cell the estimates with their intervals, and what it takes to compare another
+ensemble with them; `check --baseline` does. Recording again adds an entry: one file holds a study's history. Nothing in it
+depends on the day or on the number of threads; what compiled it, and for which processor, is kept.
+
+Examples:
+  brouwer baseline studies/elliptic-drift.toml -o data/baselines/elliptic-drift.json
+  brouwer baseline results/elliptic-drift -o data/baselines/elliptic-drift.json --label "before the new series"
+  brouwer baseline --list data/baselines/elliptic-drift.json)"},
       {"table",
        R"(Example:
   brouwer table results/elliptic-drift --format latex > growth.tex)"},
@@ -75,11 +89,14 @@ Examples:
   brouwer report results/elliptic-drift -o elliptic-drift.html
   brouwer report results/* -o findings.md)"},
       {"fit",
-       R"(Long form: columns time, member, error (one more, quantity, where there are several). Wide form: time first,
-then one column a member. Times are > 0 and increasing; the error at time 0 is 0 by definition and left out.
+       R"(Text: columns time, member, error (one more, quantity, where there are several), or time first, then one column a
+member. HDF5, netCDF-4: a matrix members × times or times × members beside a vector `time`, `t` or `steps`, or with it as
+dimension scale; several matrices are several ensembles. Times are > 0 and increasing; the error at time 0 is 0 by
+definition and left out. Files of energies: --relative-to-start.
 
-Example:
-  brouwer fit errors.csv --format json --plot figures)"},
+Examples:
+  brouwer fit errors.csv --format json --plot figures
+  brouwer fit run.h5 --dataset leapfrog/energy --relative-to-start)"},
       {"integrate",
        R"(Columns: t, the components of the state, then the first integrals. Decimal numbers have as many digits as the
 arithmetic needs to be read back without loss.

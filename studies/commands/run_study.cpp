@@ -74,6 +74,24 @@ void print_study(StudyFile const& file, Catalogue const& catalogue, std::filesys
   std::fflush(stdout);  // before progress appears on the other stream
 }
 
+StudyFile read_subject(std::string const& subject, RunSettings const& settings, Catalogue const& catalogue) {
+  if (!std::filesystem::is_directory(subject)) return read_study(subject, catalogue, settings.overrides);
+  if (!settings.overrides.empty() || !settings.folder.empty())
+    throw InputError(
+        "--members, --steps, --set and a folder to run in belong to a study file; a folder of results is judged as it "
+        "is");
+  return read_stored_study(subject, catalogue);
+}
+
+std::optional<std::filesystem::path> results_of(StudyFile const& file, std::string const& subject,
+                                                RunSettings const& settings, Catalogue const& catalogue) {
+  if (std::filesystem::is_directory(subject)) return subject;
+  RunOptions const options = run_options(settings);
+  auto const folder = result_folder(file, settings);
+  print_study(file, catalogue, folder);
+  return run_missing(file, catalogue, folder, options) ? std::optional(folder) : std::nullopt;
+}
+
 RunOptions run_options(RunSettings const& settings) {
   RunOptions options;
   options.threads = settings.threads;

@@ -1,6 +1,7 @@
 #pragma once
 #include <brouwer/ensemble/run.hpp>
 #include <filesystem>
+#include <optional>
 
 #include "studies/commands/commands.hpp"
 #include "studies/read.hpp"
@@ -22,6 +23,14 @@ double member_steps(StudyFile const& file);
 /// Threads and packs.
 /// @throws InputError if this processor does not have the instructions that were asked for
 RunOptions run_options(RunSettings const& settings);
+
+/// The study of a subject that is to be judged: a study file, or a folder of results.
+/// @throws InputError for settings of a run with a folder, which is judged as it is
+StudyFile read_subject(std::string const& subject, RunSettings const& settings, Catalogue const& catalogue);
+
+/// Where its results are: a study file is run as far as it is missing. Nothing: interrupted.
+std::optional<std::filesystem::path> results_of(StudyFile const& file, std::string const& subject,
+                                                RunSettings const& settings, Catalogue const& catalogue);
 
 /// Computes the units that are missing, with progress on standard error.
 /// @return false if interrupted; how to resume has been said then

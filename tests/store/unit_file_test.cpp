@@ -82,6 +82,15 @@ TEST(UnitFile, HeaderHasEverythingButTheNumbers) {
   EXPECT_TRUE(same(unit, read_unit_header(folder / "unit.h5")));
 }
 
+TEST(UnitFile, EndsAreAllButErrorsAndStates) {
+  Scratch const folder;
+  UnitRecord unit = full_unit();
+  write_unit(folder / "unit.h5", unit);
+  for (auto& series : unit.series) series.errors.clear();
+  unit.states.clear();
+  EXPECT_TRUE(same(unit, read_unit_ends(folder / "unit.h5")));
+}
+
 TEST(UnitFile, OneSeriesCanBeReadIntoItsPlace) {
   Scratch const folder;
   UnitRecord const unit = sample_unit();

@@ -39,6 +39,21 @@ TEST(DriftTest, JudgesTheGrowth) {
 
 TEST(DriftTest, RunsTheStudysOwnExpectations) { EXPECT_EQ(small_run().outcomes().size(), 3U); }
 
+TEST(DriftTest, ComparesWithABaseline) {
+  auto const before = small_run().recorded();
+  EXPECT_THAT(before, IsNotWorseThan(before));
+  StudyRun const others(study_file, {"ensemble.members=32", "integrate.steps=20000", "ensemble.seed=7"});
+  EXPECT_THAT(others.recorded(), IsNotWorseThan(before)) << "other members of the same population";
+  auto drifting = before.only("energy", {.method = "elliptic-naive"});
+  EXPECT_THAT(others.recorded().only("energy", {.method = "elliptic-naive"}), IsNotWorseThan(drifting));
+  EXPECT_THAT(others.recorded().only("casimir"), Not(IsNotWorseThan(drifting))) << "it is gone";
+  drifting.rows[0].slope_mean /= 2;  // as if it had been better
+  testing::StringMatchResultListener said;
+  EXPECT_FALSE(testing::ExplainMatchResult(IsNotWorseThan(drifting), others.recorded().only("energy"), &said));
+  EXPECT_THAT(said.str(), HasSubstr("drift β is larger: −1.1"));
+  EXPECT_THROW(static_cast<void>(before.only("enrgy")), InputError);
+}
+
 TEST(DriftTest, RefusesAnAmbiguousRow) {
   EXPECT_THROW(small_run().row("energy"), InputError);
   EXPECT_THROW(small_run().row("enrgy"), InputError);

@@ -74,8 +74,8 @@ struct Program : testing::Test {
 TEST_F(Program, TeachesItself) {
   auto const said = brouwer("--help");
   EXPECT_EQ(said.status, 0);
-  for (auto const* word :
-       {"run", "plan", "probe", "check", "table", "plot", "report", "fit", "integrate", "list", "Examples", "75"})
+  for (auto const* word : {"run", "plan", "probe", "check", "baseline", "table", "plot", "report", "fit", "integrate",
+                           "list", "Examples", "75"})
     EXPECT_THAT(said.text, HasSubstr(word));
   EXPECT_THAT(brouwer("run --help").text, HasSubstr("--members"));
   EXPECT_THAT(brouwer("--version").text, StartsWith("brouwer "));
@@ -172,6 +172,104 @@ TEST_F(Program, ChecksExpectations) {
   auto const said = brouwer("check failing.toml");
   EXPECT_EQ(said.status, 1);
   EXPECT_THAT(said.text, HasSubstr("FAIL"));
+}
+
+TEST_F(Program, ChecksWhatTheExpectationsRestOn) {
+  std::string alike = small_study;
+  alike.replace(alike.find("uniform = 1e-2"), 14, "uniform = 1e-30");
+  write("alike.toml", alike);
+  auto const said = brouwer("check alike.toml --junit outcome.xml");
+  EXPECT_EQ(said.status, 1);
+  EXPECT_THAT(said.text, HasSubstr("FAIL  dmv-2, double, h = 0.01: the members differ"));
+  EXPECT_THAT(said.text, HasSubstr("PASS  the state has moved"));
+  EXPECT_THAT(said.text, Not(HasSubstr("elliptic-three-constants, double, h = 0.01: the members differ")))
+      << "nothing is expected of it";
+  EXPECT_THAT(shell("cat outcome.xml").text, HasSubstr("<failure message=\"11 of 12 members are copies of others"));
+  EXPECT_THAT(brouwer("run alike.toml --no-figures").text,
+              HasSubstr("FAIL  dmv-2, double, h = 0.01: the members differ"));
+  EXPECT_EQ(brouwer("report results/alike -o page.md").status, 0);
+  EXPECT_THAT(shell("cat page.md").text, HasSubstr("the members differ"));
+}
+
+TEST_F(Program, RecordsABaselineAndComparesWithIt) {
+  auto const said = brouwer("baseline toy.toml -o new/toy.json --label first");
+  EXPECT_EQ(said.status, 0) << said.text;
+  EXPECT_THAT(said.text, HasSubstr("Recorded 'first' in new/toy.json: "));
+  auto const same = brouwer("check toy.toml --baseline new/toy.json --junit outcome.xml");
+  EXPECT_EQ(same.status, 0) << same.text;
+  EXPECT_THAT(same.text,
+              HasSubstr("PASS  energy, dmv-2, double, h = 0.01: not worse than 'first'\n        found the same bits"));
+  EXPECT_THAT(shell("cat outcome.xml").text, HasSubstr("not worse than &#39;first&#39;\"><system-out>the same bits"));
+  auto const again = brouwer("baseline results/toy -o new/toy.json --label first");
+  EXPECT_THAT(again.text, HasSubstr("Already recorded, bit for bit, as 'first'"));
+  EXPECT_EQ(brouwer("baseline toy.toml --set ensemble.seed=2 -o new/toy.json --label second --date 1997-05-27").status,
+            0);
+  auto const list = brouwer("baseline --list new/toy.json");
+  EXPECT_THAT(list.text, StartsWith("toy: 2 entries"));
+  EXPECT_THAT(list.text, HasSubstr("second, 1997-05-27"));
+  auto const first = brouwer("check toy.toml --baseline new/toy.json --entry first");
+  EXPECT_THAT(first.text, HasSubstr("the same bits"));
+  auto const other = brouwer("check toy.toml --baseline new/toy.json");
+  EXPECT_THAT(other.text, HasSubstr("the baseline's study is not quite this one: seed was 2 there and is 1 here"));
+  EXPECT_THAT(other.text, HasSubstr("equal within sampling error: "));
+}
+
+TEST_F(Program, FailsAgainstABaselineThatWasBetter) {
+  ASSERT_EQ(brouwer("baseline toy.toml -o toy.json --label before").status, 0);
+  auto const said = brouwer("check toy.toml --baseline toy.json --set integrate.methods=dmv-2");
+  EXPECT_EQ(said.status, 1) << said.text;
+  EXPECT_THAT(said.text,
+              HasSubstr("FAIL  energy, elliptic-three-constants, double, h = 0.01: not worse than 'before'"));
+  EXPECT_THAT(said.text, HasSubstr("it was recorded, and is not there any more"));
+}
+
+TEST_F(Program, RefusesBaselinesThatCannotBe) {
+  ASSERT_EQ(brouwer("baseline toy.toml -o toy.json --label before").status, 0);
+  auto const recorded = shell("cat toy.json").text;
+  Wrong const usages[] = {
+      {"baseline", "expected a study or a folder of results to record, or --list FILE"},
+      {"baseline toy.toml", "expected -o FILE.json"},
+      {"baseline toy.toml --list toy.json", "--list shows a file, and records nothing"},
+      {"baseline --list nowhere.json", "there is no baseline nowhere.json"},
+      {"baseline --list toy.toml", "toy.toml:1: is no JSON"},
+      {"baseline toy.toml -o toy.toml", "toy.toml:1: is no JSON"},
+      {"baseline toy.toml -o toy.json --label before --set ensemble.seed=3",
+       "there is an entry 'before' already, of other"},
+      {"baseline toy.toml -o toy.json --label x --set observe.samples.count=7",
+       "recorded of another study: samples was 8, log"},
+      {"baseline results/toy -o toy.json --members 3", "belong to a study file"},
+      {"baseline toy.toml -o /proc/new/toy.json", "/proc/new"},
+      {"check toy.toml --baseline nowhere.json", "there is no baseline nowhere.json"},
+      {"check toy.toml --baseline toy.json --entry befor", "no entry 'befor'; did you mean 'before'?"},
+      {"check toy.toml --entry before", "--entry names an entry of a baseline"},
+      {"check toy.toml --baseline toy.json --set 'ensemble.perturb={momentum={uniform=0.5}}'",
+       "perturb.momentum was uniform 0.01 there and is uniform 0.5 here"},
+  };
+  for (auto const& [arguments, expected] : usages) {
+    auto const said = brouwer(arguments);
+    EXPECT_EQ(said.status, 2) << arguments << "\n" << said.text;
+    EXPECT_THAT(said.text, HasSubstr(expected)) << arguments;
+  }
+  EXPECT_EQ(shell("cat toy.json").text, recorded);
+}
+
+TEST_F(Program, NamesABaselinesEntryAfterTheCommit) {
+  shell("git init -q . && git -c user.name=n -c user.email=e commit -q --allow-empty -m first");
+  EXPECT_THAT(brouwer("baseline toy.toml -o toy.json").text,
+              testing::ContainsRegex("Recorded '0\\.1\\.0 at [0-9a-f]{12}' in"));
+}
+
+TEST_F(Program, FitsHdf5FilesAndSaysWhatIsDoubtful) {
+  ASSERT_EQ(brouwer("run toy.toml --no-figures").status, 0);
+  auto const unit =
+      brouwer("fit results/toy/units/cell-000/members-000000.h5 --dataset errors/energy --format csv 2>&1");
+  EXPECT_EQ(unit.status, 0) << unit.text;
+  EXPECT_THAT(unit.text, HasSubstr("rigid_body,elliptic-three-constants,double"));
+  write("sizes.csv", "t,a,b,c,d\n1,0.1,0.9,0.3,2\n2,2,0.3,1,0.1\n4,0.1,3,2,0.3\n");
+  EXPECT_THAT(brouwer("fit sizes.csv").text, HasSubstr("brouwer: error: no error is negative"));
+  EXPECT_EQ(brouwer("fit sizes.csv --dataset x").status, 2);
+  EXPECT_EQ(brouwer("fit sizes.csv --relative-to-start").status, 0);
+  EXPECT_EQ(brouwer("fit sizes.csv --relative-to-start --subtract-start").status, 2);
 }
 
 TEST_F(Program, PrintsTablesForProgramsOnly) {

@@ -66,6 +66,12 @@ TEST(EllipticDrift, IsSeenInTheNaiveConstantsAndNotInThreeConsistentOnes) {
   EXPECT_THAT(consistent, GrowsAs(0.5, 0.05));
 }
 
+TEST(EllipticDrift, IsNotWorseThanItsBaseline) {
+  StudyRun const study(studies / "elliptic-drift.toml");
+  auto const baseline = read_baseline(fs::path(BROUWER_SOURCE) / "data/baselines/elliptic-drift.json");
+  EXPECT_THAT(study.recorded(), IsNotWorseThan(baseline.entry()));
+}
+
 TEST(EllipticDrift, IsThereWithOwnAndGslFunctions) {
   StudyRun const study(studies / "elliptic-drift.toml",
                        {"ensemble.members=64", "integrate.steps=20_000", "integrate.special_functions=['own','gsl']",

@@ -34,6 +34,9 @@ UnitRecord read_unit(std::filesystem::path const& file);
 /// Reads everything but the numbers (errors, states, start and final state stay empty), who failed and why: cheap.
 UnitRecord read_unit_header(std::filesystem::path const& file);
 
+/// Reads the header, the starts and the final states: all but errors and states at the samples.
+UnitRecord read_unit_ends(std::filesystem::path const& file);
+
 /// Reads the states at the samples alone, [member][sample][state_names]; empty where the unit has none.
 std::vector<double> read_states(std::filesystem::path const& file);
 

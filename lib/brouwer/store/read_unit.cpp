@@ -131,10 +131,14 @@ std::vector<double> read_states(hid_t file, UnitRecord const& unit) {
                     {static_cast<hsize_t>(unit.members), unit.sample_steps.size(), unit.state_names.size()});
 }
 
-void read_numbers(hid_t file, UnitRecord& unit) {
+void read_ends(hid_t file, UnitRecord& unit) {
   auto const members = static_cast<hsize_t>(unit.members);
   unit.start = read_array(file, unit_layout::start, {members, unit.start_names.size()});
   unit.final_state = read_array(file, unit_layout::final_state, {members, unit.state_names.size()});
+}
+
+void read_numbers(hid_t file, UnitRecord& unit) {
+  read_ends(file, unit);
   unit.states = read_states(file, unit);
   Handle const group(H5Gopen2(file, unit_layout::errors, H5P_DEFAULT));
   for (auto& series : unit.series)
@@ -157,6 +161,14 @@ auto reading(std::filesystem::path const& file, Read read) {
 
 UnitRecord read_unit_header(std::filesystem::path const& file) {
   return reading(file, [](Handle const& opened) { return read_header(opened); });
+}
+
+UnitRecord read_unit_ends(std::filesystem::path const& file) {
+  return reading(file, [](Handle const& opened) {
+    UnitRecord unit = read_header(opened);
+    read_ends(opened, unit);
+    return unit;
+  });
 }
 
 UnitRecord read_unit(std::filesystem::path const& file) {

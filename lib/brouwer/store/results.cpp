@@ -144,6 +144,12 @@ double Results::seconds_per_member(std::size_t cell) const {
   return sum.members > 0 ? sum.seconds / static_cast<double>(sum.members) : std::numeric_limits<double>::quiet_NaN();
 }
 
+std::vector<UnitRecord> Results::ends(std::size_t cell) const {
+  std::vector<UnitRecord> ends;
+  for (auto const& unit : cells_.at(cell).units) ends.push_back(read_unit_ends(unit.file));
+  return ends;
+}
+
 Ensemble Results::load(std::size_t number, std::string const& quantity) const {
   auto const& cell = cells_.at(number);
   auto const parts = parts_of(cell.units, quantity);

@@ -63,6 +63,9 @@ class Results {
   /// All finished members of cell `number` that have this component. @throws InputError if there is none of that name.
   Ensemble load(std::size_t number, std::string const& quantity) const;
 
+  /// The cell's finished units with starts and final states, without errors and states at the samples.
+  std::vector<UnitRecord> ends(std::size_t cell) const;
+
   /// Where the cell's members were; no members where the study did not ask for states.
   Orbits orbits(std::size_t cell) const { return orbits_of(cells_.at(cell).units); }
 
