@@ -34,6 +34,9 @@ std::string decimal(double x) {
   return (rounded < 0 ? "−" : "") + fmt::format("{:.2f}", std::abs(rounded));
 }
 
+/// "p = 0.84", or the bound below which doubles end.
+std::string p_value(double p) { return p == 0 ? "p < 1e-300" : "p = " + brief(p); }
+
 std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
 
 std::string per(Estimates const& e) { return " per " + e.time_unit; }
@@ -48,7 +51,8 @@ std::string exponent(Estimates const& e) {
 }
 
 std::string t_test(Estimates const& e) {
-  return fmt::format("t = {}, {}", number(e.drift.t, 3), probability(e.drift.p));
+  std::string const adjusted = e.drift.p_alone ? ", adjusted " + p_value(e.drift.p) : "";
+  return fmt::format("t = {}, {}{}", number(e.drift.t, 3), p_value(e.drift.own_p()), adjusted);
 }
 
 std::string diffusion(Estimates const& e) {
@@ -94,7 +98,7 @@ std::string persistent_sentence(Estimates const& e) {
   return fmt::format(
       "each member keeps a drift of its own, of standard deviation {}{} (F = {}, {}; 1 for a random walk), "
       "beside a spread of {}; {}; {}",
-      brief(e.persistence.per_step), per(e), brief(e.persistence.F), probability(e.persistence.p), diffusion(e),
+      brief(e.persistence.per_step), per(e), brief(e.persistence.F), p_value(e.persistence.p), diffusion(e),
       exponent(e), no_drift(e));
 }
 
@@ -102,7 +106,7 @@ std::string bounded_sentence(Estimates const& e) {
   return fmt::format(
       "the error does not grow: {}, RMS {} at the end; it is spread less than a random walk of its "
       "increments would be (F = {}, {}); its mean stays",
-      exponent(e), brief(e.rms_final), brief(e.persistence.F), probability(e.persistence.p_low));
+      exponent(e), brief(e.rms_final), brief(e.persistence.F), p_value(e.persistence.p_low));
 }
 
 std::string superlinear_sentence(Estimates const& e) {
