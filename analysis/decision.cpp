@@ -47,6 +47,7 @@ double drift_seen_with(double chance, Estimates const& e) {
 
 PowerCurve power_curve(Estimates const& e) {
   PowerCurve curve;
+  if (std::isnan(e.smallest_visible_drift)) return curve;
   for (double const multiple : {0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0}) {
     curve.drifts.push_back(multiple * e.smallest_visible_drift);
     curve.chances.push_back(chance_to_see(curve.drifts.back(), e));

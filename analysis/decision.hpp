@@ -21,7 +21,7 @@ double chance_to_see(double drift, Estimates const& e);
 /// estimate's own smallest_visible_drift.
 double drift_seen_with(double chance, Estimates const& e);
 
-/// chance_to_see over multiples of the smallest visible drift, from 0 to twice it.
+/// chance_to_see over multiples of the smallest visible drift, from 0 to twice it; empty where there is none.
 struct PowerCurve {
   std::vector<double> drifts, chances;
 };

@@ -97,7 +97,7 @@ template <class Part, class Add>
 Part summed(Index members, Part const& empty, Add add) {
   Index const parts = std::clamp<Index>(members / fewest_in_part, 1, most_parts);
   std::vector<Part> each(static_cast<std::size_t>(parts), empty);
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (parts == most_parts)
   for (Index part = 0; part < parts; ++part)
     for (Index i = part * members / parts; i < (part + 1) * members / parts; ++i)
       add(each[static_cast<std::size_t>(part)], i);

@@ -24,31 +24,32 @@ bool correlated(IncrementTests const& tests, double level) {
   return neighbours || (tests.variance_ratio_p < level && ratio_tells(clearest_ratio(ratios)));
 }
 
-double log_width(VarianceRatio const& scale) { return std::log(scale.sigma_interval.high / scale.sigma_interval.low); }
+/// σ from a scale on, as one number.
+struct Settled {
+  std::vector<VarianceRatio>::const_iterator from;
+  double log_sigma, half;  ///< of its interval, in the logarithm
+};
 
-/// Mean log σ from a scale on; a scale counts by how well it is known.
-double settled_log(std::vector<VarianceRatio>::const_iterator from, std::vector<VarianceRatio>::const_iterator end) {
-  double sum = 0, weights = 0;
-  for (auto scale = from; scale != end; ++scale) {
-    double const width = log_width(*scale);
-    sum += std::log(scale->sigma) / (width * width);
-    weights += 1 / (width * width);
-  }
-  return sum / weights;
+Settled settled_at(std::vector<VarianceRatio>::const_iterator scale) {
+  return {scale, std::log(scale->sigma), std::log(scale->sigma_interval.high / scale->sigma_interval.low) / 2};
 }
 
-/// The shortest scale from which on σ is one number: no scale is off it by more than 1.5 times the half of its interval.
-/// The last where there is no shorter one.
-std::vector<VarianceRatio>::const_iterator settled(std::vector<VarianceRatio> const& scales) {
-  auto from = scales.begin();
-  for (; from + 1 < scales.end(); ++from) {
-    double const common = settled_log(from, scales.end());
-    bool const one_number = std::all_of(from, scales.end(), [&](VarianceRatio const& scale) {
-      return std::abs(std::log(scale.sigma) - common) <= 0.75 * log_width(scale);
-    });
-    if (one_number) break;
+/// The mean of both, each by how well it is known.
+Settled mean(Settled const& shorter, Settled const& longer) {
+  double const a = 1 / (shorter.half * shorter.half), b = 1 / (longer.half * longer.half);
+  return {shorter.from, (a * shorter.log_sigma + b * longer.log_sigma) / (a + b), 1 / std::sqrt(a + b)};
+}
+
+/// From the longest scale down to the shortest that is not told from those above it: off by no more than 1.5 times the
+/// half of the interval of the difference, because one of many scales is easily off by a half.
+Settled settled(std::vector<VarianceRatio> const& scales) {
+  Settled above = settled_at(scales.end() - 1);
+  while (above.from != scales.begin()) {
+    auto const next = settled_at(above.from - 1);
+    if (std::abs(next.log_sigma - above.log_sigma) > 1.5 * std::hypot(next.half, above.half)) break;
+    above = mean(next, above);
   }
-  return from;
+  return above;
 }
 
 std::string per_root(Estimates const& e) {
@@ -59,8 +60,8 @@ std::string per_root(Estimates const& e) {
 std::string where_sigma_holds(Estimates const& e) {
   auto const& scales = e.increments->variance_ratios;
   if (scales.empty() || e.members < 2) return "σ, F and their tests are made for increments that are not";
-  auto const from = settled(scales);
-  double const sigma = std::exp(settled_log(from, scales.end()));
+  auto const [from, log_sigma, half] = settled(scales);
+  double const sigma = std::exp(log_sigma);
   std::string const above = fmt::format("{} {}, {} times what is said", number(sigma, 2), per_root(e),
                                         number(sigma / e.diffusion.per_sqrt_step, 2));
   if (from + 1 == scales.end())
