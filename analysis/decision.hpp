@@ -17,8 +17,8 @@ double standard_error(Estimates const& e);
 /// model for this standard error; the ensemble's own estimate of it is known as well as M allows.
 double chance_to_see(double drift, Estimates const& e);
 
-/// The drift that is seen with this chance, to 0.5 % of the chance (visible_noncentrality); for levels.power the
-/// estimate's own smallest_visible_drift.
+/// The drift that is seen with this chance by visible_noncentrality: the chance is off by at most 0.006 from 16 members
+/// on, 0.03 for 4 (0.5 to 0.99 at 0.001). For levels.power the estimate's own smallest_visible_drift.
 double drift_seen_with(double chance, Estimates const& e);
 
 /// chance_to_see over multiples of the smallest visible drift, from 0 to twice it; empty where there is none.
