@@ -58,7 +58,7 @@ int check(CheckCommand const& command, Catalogue const& catalogue) {
   auto const entry = recorded_entry(command);
   auto const folder = results_of(file, command.subject, command.settings, catalogue);
   if (!folder) return interrupted;
-  Levels const& levels = command.settings.levels;
+  Levels const levels = levels_of(file, command.settings);
   Findings const findings({folder->string()}, levels);
   auto outcomes = findings.expected(file.expectations);
   append(outcomes, findings.guards(judged_rows(findings, file, entry.has_value())));
