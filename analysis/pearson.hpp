@@ -3,7 +3,7 @@
 namespace brouwer {
 
 /// P(X ≤ x) and P(X ≥ x).
-struct Tails {
+struct BothTails {
   double lower, upper;
 };
 
@@ -11,6 +11,6 @@ struct Tails {
 /// kurtosis, 3γ²/2, Pearson's type I (beta) of the same four moments [N. L. Johnson, S. Kotz, N. Balakrishnan, Continuous
 /// Univariate Distributions 1 (1994), 12.4.1]; from it on the gamma variable of the same kurtosis, as H. Liu, Y. Tang &
 /// H. H. Zhang (Comput. Stat. Data Anal. 53 (2009) 853) have it for sums of χ²; the normal law where both are 0.
-Tails pearson_tails(double z, double skewness, double excess);
+BothTails pearson_tails(double z, double skewness, double excess);
 
 }  // namespace brouwer

@@ -84,8 +84,8 @@ struct RandomSigns::Split {
   double scale = 1;
 
   /// P(sum ≤ x) and P(sum ≥ x).
-  Tails tails(double x) const {
-    Tails mean{0, 0};
+  BothTails tails(double x) const {
+    BothTails mean{0, 0};
     double const share = 1 / static_cast<double>(counted.size());
     for (double const value : counted) {
       auto const [lower, upper] = of_rest(x - value);
@@ -96,7 +96,7 @@ struct RandomSigns::Split {
   }
 
  private:
-  Tails of_rest(double x) const {
+  BothTails of_rest(double x) const {
     double const near = rounding * scale, deviation = std::sqrt(std::max(rest.second, 0.0));
     if (rest.second <= near * scale) return {x >= -near ? 1.0 : 0.0, x <= near ? 1.0 : 0.0};  // what rounding has left
     return pearson_tails(x / deviation, rest.third / (rest.second * deviation),

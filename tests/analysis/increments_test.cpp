@@ -83,9 +83,9 @@ TEST(FreeIncrements, DoNotSeeASlope) {
 
 /// The share of all choices of signs of `a` for which the statistic is at least x, and at most x.
 template <class Statistic>
-Tails over_all_signs(Eigen::ArrayXd const& a, double x, Statistic statistic) {
+BothTails over_all_signs(Eigen::ArrayXd const& a, double x, Statistic statistic) {
   auto const choices = 1u << static_cast<unsigned>(a.size());
-  Tails count{0, 0};
+  BothTails count{0, 0};
   for (unsigned choice = 0; choice < choices; ++choice) {
     Eigen::ArrayXd signed_a = a;
     for (Eigen::Index k = 0; k < a.size(); ++k)
@@ -97,7 +97,7 @@ Tails over_all_signs(Eigen::ArrayXd const& a, double x, Statistic statistic) {
   return count;
 }
 
-double p_of(Tails const& tails) { return std::min(1.0, 2 * std::min(tails.lower, tails.upper)); }
+double p_of(BothTails const& tails) { return std::min(1.0, 2 * std::min(tails.lower, tails.upper)); }
 
 Eigen::ArrayXd sizes(int count, unsigned seed) {
   std::mt19937 generator(seed);

@@ -234,7 +234,8 @@ class CellProbe {
     auto const& rounding = all_judged ? columns_[c].rounding : columns_[c].change;
     ErrorMatrix both(design_.members, rounding.cols() + columns_[c].truncation.cols());
     both << rounding, columns_[c].truncation;
-    errors.failures = drop_failed(both, fates_);
+    std::vector<std::string> nameless;  // members of a probe are not named
+    errors.failures = drop_failed(both, fates_, nameless);
     errors.failed = design_.members - both.rows();
     errors.rounding = both.leftCols(rounding.cols());
     if (quantity.kind == Quantity::Kind::integral) errors.truncation = both.rightCols(columns_[c].truncation.cols());
