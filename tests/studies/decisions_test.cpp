@@ -19,6 +19,7 @@ using testing::Not;
 using Wanted = Expectation::DriftWanted;
 
 constexpr char const* head = R"([system.rigid_body]
+momentum = [1.8, 0.4, -0.9]
 [integrate]
 methods = "dmv-2"
 step = 0.01
@@ -55,7 +56,7 @@ TEST(SmallDrift, IsRead) {
 
 TEST(SmallDrift, IsRefusedWhereItIsNoneOrTwo) {
   EXPECT_THAT(complaint_of_claims("drift = { smaller_than = 0 }"),
-              HasSubstr("drift.toml:13: expect[1].drift.smaller_than = 0, expected a finite number greater than 0"));
+              HasSubstr("drift.toml:14: expect[1].drift.smaller_than = 0, expected a finite number greater than 0"));
   EXPECT_THAT(complaint_of_claims("drift = { smaller_then = 1e-19 }"),
               HasSubstr("unknown key 'expect[1].drift.smaller_then'; did you mean 'smaller_than'?"));
   for (auto const* both : {"drift = { smaller_than = 1e-19, per_step = [0, 1] }", "drift = {}"})
@@ -86,7 +87,7 @@ TEST(TestsSection, ChangesNothingThatIsRun) {
 TEST(TestsSection, IsRefusedWhereItIsWrong) {
   EXPECT_THAT(
       complaint("[tests]\ncorrection = 'bonferroni'\n"),
-      HasSubstr("drift.toml:12: tests.correction: there is no correction 'bonferroni'; known are none, holm, fdr"));
+      HasSubstr("drift.toml:13: tests.correction: there is no correction 'bonferroni'; known are none, holm, fdr"));
   EXPECT_THAT(complaint("[tests]\nlevel = 2\n"), HasSubstr("tests.level = 2, expected a number greater than 0"));
   EXPECT_THAT(complaint("[tests]\nlevels = 0.1\n"), HasSubstr("unknown key 'tests.levels'; did you mean 'level'?"));
 }

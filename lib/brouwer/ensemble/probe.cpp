@@ -234,7 +234,7 @@ class CellProbe {
     auto const& rounding = all_judged ? columns_[c].rounding : columns_[c].change;
     ErrorMatrix both(design_.members, rounding.cols() + columns_[c].truncation.cols());
     both << rounding, columns_[c].truncation;
-    std::vector<std::string> nameless;  // members of a probe are not named
+    std::vector<std::string> nameless(fates_.size());  // members of a probe have no names
     errors.failures = drop_failed(both, fates_, nameless);
     errors.failed = design_.members - both.rows();
     errors.rounding = both.leftCols(rounding.cols());
