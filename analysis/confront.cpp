@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "analysis/decision.hpp"
 #include "analysis/factors.hpp"
 #include "analysis/failures.hpp"
 #include "analysis/inference.hpp"
@@ -19,8 +20,12 @@ struct Test {
   Estimates const& row;
 
   double level() const { return expectation.level.value_or(row.levels.test); }
-  bool significant(double p) const { return p < level(); }
 };
+
+/// What rests on a test: it must be significant, or must not.
+Outcome judged(ClaimTest const& test, std::string claim, std::string found) {
+  return {test.holds(test.p), std::move(claim), std::move(found), test};
+}
 
 /// The estimates state it at Levels::test; at another level it goes with the noncentrality that is seen there.
 double smallest_visible_drift(Test const& test) {
@@ -36,23 +41,37 @@ double smallest_visible_drift(Test const& test) {
 std::string drift_found(Test const& test) {
   auto const& drift = test.row.drift;
   return fmt::format("β = {} per step (t = {}, {}); the smallest drift visible at level {:g} with chance {:g} is {}",
-                     measured(drift.per_step, drift.interval), number(drift.t, 3), probability(drift.p), test.level(),
-                     test.row.levels.power, number(smallest_visible_drift(test), 2));
+                     measured(drift.per_step, drift.interval), number(drift.t, 3), probability(drift.own_p()),
+                     test.level(), test.row.levels.power, number(smallest_visible_drift(test), 2));
 }
 
 Outcome no_drift(Test const& test) {
-  double const p = test.row.drift.p;
-  return {std::isfinite(p) && !test.significant(p), fmt::format("no drift at level {:g}", test.level()),
-          drift_found(test)};
+  return judged({test.row.drift.own_p(), test.level(), false}, fmt::format("no drift at level {:g}", test.level()),
+                drift_found(test));
 }
 
 Outcome drift_in_band(Test const& test) {
   auto const [low, high] = test.expectation.drift_band;
   double const beta = test.row.drift.per_step;
   bool const inside = low <= beta && beta <= high, excludes_zero = low > 0 || high < 0;
-  bool const passed = inside && (!excludes_zero || test.significant(test.row.drift.p));
   std::string const claim = fmt::format("drift between {} and {} per step", number(low, 3), number(high, 3));
-  return {passed, claim + (excludes_zero ? fmt::format(", seen at level {:g}", test.level()) : ""), drift_found(test)};
+  if (!excludes_zero) return {inside, claim, drift_found(test)};
+  return judged({test.row.drift.own_p(), test.level(), true, inside},
+                claim + fmt::format(", seen at level {:g}", test.level()), drift_found(test));
+}
+
+Outcome drift_smaller_than(Test const& test) {
+  double const bound = test.expectation.drift_bound;
+  auto const found = equivalence(test.row, bound, test.level());
+  auto const& drift = test.row.drift;
+  return judged(
+      {found.p, test.level()},
+      fmt::format("|drift| < {} per step, proven at level {:g}", number(bound, 3), test.level()),
+      fmt::format(
+          "β = {} per step (t = {} from −δ, {} from δ, {}; {:g} % interval {} … {}); the smallest δ proven is {}",
+          measured(drift.per_step, drift.interval), number(found.t_above, 3), number(found.t_below, 3),
+          probability(found.p), 100 * (1 - 2 * test.level()), number(found.interval.low, 2),
+          number(found.interval.high, 2), number(found.provable, 2)));
 }
 
 /// What is expected of an error's law cannot be true of a count.
@@ -65,6 +84,7 @@ std::optional<Outcome> drift(Test const& test) {
   using Wanted = Expectation::DriftWanted;
   if (test.expectation.drift == Wanted::unsaid) return std::nullopt;
   if (test.row.count) return no_law(test, "drift");
+  if (test.expectation.drift == Wanted::smaller_than) return drift_smaller_than(test);
   return test.expectation.drift == Wanted::none ? no_drift(test) : drift_in_band(test);
 }
 
@@ -84,11 +104,10 @@ std::optional<Outcome> persistence(Test const& test) {
   if (!wanted) return std::nullopt;
   if (test.row.count) return no_law(test, "persistent slope");
   auto const& found = test.row.persistence;
-  bool const persists = test.significant(found.p);
-  return Outcome{
-      std::isfinite(found.p) && persists == *wanted,
+  return judged(
+      {found.p, test.level(), *wanted},
       fmt::format("{} at level {:g}", *wanted ? "persistent slopes" : "no persistent slopes", test.level()),
-      fmt::format("F = {} ({}), τ = {} per step", number(found.F, 3), probability(found.p), number(found.per_step, 2))};
+      fmt::format("F = {} ({}), τ = {} per step", number(found.F, 3), probability(found.p), number(found.per_step, 2)));
 }
 
 Outcome in_band(char const* what, Interval const& band, double value, std::string const& found) {
@@ -122,7 +141,15 @@ std::optional<Outcome> verdict(Test const& test) {
                  test.row.sentence.empty() ? found : found + ": " + test.row.sentence};
 }
 
-constexpr std::optional<Outcome> (*parts[])(Test const&) = {drift, growth, persistence, mean, rms, verdict};
+std::optional<Outcome> failed(Test const& test) {
+  auto const& most = test.expectation.failed;
+  if (!most) return std::nullopt;
+  return Outcome{test.row.failed <= *most,
+                 *most == 0 ? "no member failed" : fmt::format("at most {} members failed", *most),
+                 fmt::format("{} of {}", test.row.failed, test.row.members + test.row.failed)};
+}
+
+constexpr std::optional<Outcome> (*parts[])(Test const&) = {drift, growth, persistence, mean, rms, failed, verdict};
 
 }  // namespace
 

@@ -14,11 +14,10 @@ namespace brouwer {
 
 /// How sure: levels of the tests and of the intervals, stated beside every result.
 struct Levels {
-  double confidence = 0.95;  ///< of intervals
-  double test = 0.001;       ///< two-sided level at which a drift, or persistence, is called seen
-  double power = 0.9;        ///< chance with which the "smallest visible drift" is seen at that level
-  std::optional<Correction> correction =
-      {};  ///< where many drifts are tested at once; unset: what a study says, or none
+  double confidence = 0.95;                   ///< of intervals
+  double test = 0.001;                        ///< two-sided level at which a drift, or persistence, is called seen
+  double power = 0.9;                         ///< chance with which the "smallest visible drift" is seen at that level
+  std::optional<Correction> correction = {};  ///< of drifts tested at once; unset: what the study says, or none
 };
 
 /// β, the drift shared by the ensemble, per unit of time (per step for our own runs).
@@ -27,9 +26,8 @@ struct Drift {
   Interval interval;
   double t = 0, p = 1;
   double share = 0;  ///< effect size: |β| t_J / RMS at the end, 0 … 1: how much of the final error it explains
-  std::optional<double> adjusted_p =
-      {};  ///< p corrected for all drifts that are tested beside it, where that was asked
-  double deciding_p() const { return adjusted_p.value_or(p); }
+  std::optional<double> p_alone = {};  ///< p before it was corrected for the drifts tested beside it, where it was
+  double own_p() const { return p_alone.value_or(p); }
 };
 
 /// τ, the standard deviation of the members' own persistent drifts; F(M−1, M(J−1)).

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "analysis/confront.hpp"
+#include "analysis/correct.hpp"
 #include "analysis/escape.hpp"
 #include "analysis/factors.hpp"
 #include "analysis/numbers.hpp"
@@ -171,10 +172,12 @@ std::vector<std::string> verdict_words() {
   return words;
 }
 
-std::vector<Outcome> check(std::vector<Expectation> const& expectations, Rows const& estimates, FitSweep const& sweep) {
+std::vector<Outcome> check(std::vector<Expectation> const& expectations, Rows const& estimates, FitSweep const& sweep,
+                           Correction correction) {
   for (auto const& expectation : expectations) require_known_verdicts(expectation);
   std::vector<Outcome> outcomes;
   for (auto const& expectation : expectations) check_one(expectation, estimates, sweep, outcomes);
+  correct(outcomes, correction);
   return outcomes;
 }
 

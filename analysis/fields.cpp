@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <variant>
 
+#include "analysis/decision.hpp"
 #include "analysis/escape.hpp"
 #include "analysis/failures.hpp"
 #include "analysis/numbers.hpp"
@@ -17,7 +19,8 @@ namespace {
 
 using Candidates = std::vector<Candidate>;
 using Members = std::vector<std::string>;
-using Value = std::variant<std::string, bool, std::int64_t, double, Interval, Candidates, Members>;
+using Numbers = std::vector<double>;
+using Value = std::variant<std::string, bool, std::int64_t, double, Interval, Candidates, Members, Numbers>;
 
 /// A key, with a dot where json nests, and its value.
 struct Field {
@@ -43,7 +46,35 @@ std::string in_words(LawTerms const& terms) {
   return fmt::format("{}", fmt::join(words, " + "));
 }
 
+/// Of every lag, or of every scale, one number.
+template <class Item, class Member>
+Numbers each(std::vector<Item> IncrementTests::*list, Member member, Estimates const& e) {
+  Numbers numbers;
+  if (e.increments)
+    for (auto const& item : *e.increments.*list) numbers.push_back(static_cast<double>(std::invoke(member, item)));
+  return numbers;
+}
+
+constexpr auto lags = &IncrementTests::autocorrelations;
+constexpr auto scales = &IncrementTests::variance_ratios;
+constexpr auto low = [](auto const& test) { return test.interval.low; };
+constexpr auto high = [](auto const& test) { return test.interval.high; };
+constexpr auto sigma_low = [](VarianceRatio const& scale) { return scale.sigma_interval.low; };
+constexpr auto sigma_high = [](VarianceRatio const& scale) { return scale.sigma_interval.high; };
+
+/// One number of the tests; NaN where there are none.
+template <class Of>
+double of_increments(Estimates const& e, Of of) {
+  return e.increments ? std::invoke(of, *e.increments) : undefined;
+}
+
+template <class Member>
+double of_shape(Estimates const& e, Member member) {
+  return e.increments ? std::invoke(member, e.increments->normality) : undefined;
+}
+
 using E = Estimates;
+using I = IncrementTests;
 Field const fields[] = {
     {"system", [](E const& e) -> Value { return e.cell.system; }},
     {"method", [](E const& e) -> Value { return e.cell.method; }},
@@ -64,8 +95,9 @@ Field const fields[] = {
     {"drift.per_step", [](E const& e) -> Value { return e.drift.per_step; }},
     {"drift.ci", [](E const& e) -> Value { return e.drift.interval; }},
     {"drift.t", [](E const& e) -> Value { return e.drift.t; }},
-    {"drift.p", [](E const& e) -> Value { return e.drift.p; }},
+    {"drift.p", [](E const& e) -> Value { return e.drift.own_p(); }},
     {"drift.share", [](E const& e) -> Value { return e.drift.share; }},
+    {"drift.p_adjusted", [](E const& e) -> Value { return e.drift.p_alone ? e.drift.p : undefined; }},
     {"persistence.per_step", [](E const& e) -> Value { return e.persistence.per_step; }},
     {"persistence.F", [](E const& e) -> Value { return e.persistence.F; }},
     {"persistence.p", [](E const& e) -> Value { return e.persistence.p; }},
@@ -101,12 +133,38 @@ Field const fields[] = {
      [](E const& e) -> Value { return with_them(e, e.far_off.diffusion.per_sqrt_step); }},
     {"growth.exponent", [](E const& e) -> Value { return e.growth.exponent; }},
     {"growth.ci", [](E const& e) -> Value { return e.growth.interval; }},
+    {"increments.count", [](E const& e) -> Value { return e.increments.value_or(I{}).count; }},
+    {"increments.lag", [](E const& e) -> Value { return each(lags, &Autocorrelation::lag, e); }},
+    {"increments.correlation", [](E const& e) -> Value { return each(lags, &Autocorrelation::rho, e); }},
+    {"increments.correlation_low", [](E const& e) -> Value { return each(lags, low, e); }},
+    {"increments.correlation_high", [](E const& e) -> Value { return each(lags, high, e); }},
+    {"increments.correlation_p", [](E const& e) -> Value { return each(lags, &Autocorrelation::p, e); }},
+    {"increments.scale", [](E const& e) -> Value { return each(scales, &VarianceRatio::scale, e); }},
+    {"increments.variance_ratio", [](E const& e) -> Value { return each(scales, &VarianceRatio::ratio, e); }},
+    {"increments.variance_ratio_low", [](E const& e) -> Value { return each(scales, low, e); }},
+    {"increments.variance_ratio_high", [](E const& e) -> Value { return each(scales, high, e); }},
+    {"increments.variance_ratio_p", [](E const& e) -> Value { return each(scales, &VarianceRatio::p, e); }},
+    {"increments.sigma", [](E const& e) -> Value { return each(scales, &VarianceRatio::sigma, e); }},
+    {"increments.sigma_low", [](E const& e) -> Value { return each(scales, sigma_low, e); }},
+    {"increments.sigma_high", [](E const& e) -> Value { return each(scales, sigma_high, e); }},
+    {"increments.all_ratios_p", [](E const& e) -> Value { return of_increments(e, &I::variance_ratio_p); }},
+    {"increments.skewness", [](E const& e) -> Value { return of_shape(e, &Normality::skewness); }},
+    {"increments.excess_kurtosis", [](E const& e) -> Value { return of_shape(e, &Normality::excess_kurtosis); }},
+    {"increments.anderson_darling", [](E const& e) -> Value { return of_shape(e, &Normality::anderson_darling); }},
+    {"increments.normal_p", [](E const& e) -> Value { return of_shape(e, &Normality::p); }},
+    {"increments.histogram_z", [](E const& e) -> Value { return e.increments.value_or(I{}).histogram_z; }},
+    {"increments.histogram_density", [](E const& e) -> Value { return e.increments.value_or(I{}).histogram_density; }},
     {"smallest_visible_drift", [](E const& e) -> Value { return e.smallest_visible_drift; }},
+    {"smallest_provable_drift", [](E const& e) -> Value { return smallest_provable_drift(e); }},
+    {"power.drift", [](E const& e) -> Value { return power_curve(e).drifts; }},
+    {"power.chance", [](E const& e) -> Value { return power_curve(e).chances; }},
     {"count.mean", [](E const& e) -> Value { return e.count.value_or(no_count).mean; }},
     {"count.range", [](E const& e) -> Value { return e.count.value_or(no_count).range; }},
     {"levels.confidence", [](E const& e) -> Value { return e.levels.confidence; }},
     {"levels.test", [](E const& e) -> Value { return e.levels.test; }},
     {"levels.power", [](E const& e) -> Value { return e.levels.power; }},
+    {"levels.correction",
+     [](E const& e) -> Value { return to_string(e.levels.correction.value_or(Correction::none)); }},
     {"verdict", [](E const& e) -> Value { return to_string(e.verdict); }},
     {"sentence", [](E const& e) -> Value { return e.sentence; }},
 };
@@ -131,9 +189,14 @@ struct AsJson {
                                  (*this)(c.diffusion), (*this)(c.noise)));
     return fmt::format("[{}]", fmt::join(laws, ", "));
   }
+  std::string operator()(Numbers const& numbers) const {
+    std::vector<std::string> texts;
+    for (double const x : numbers) texts.push_back((*this)(x));
+    return fmt::format("[{}]", fmt::join(texts, ", "));
+  }
 };
 
-/// Numbers that are not defined are empty cells, infinite ones are inf.
+/// Numbers that are not defined are empty cells, infinite ones are inf; a list stands in one cell, with blanks.
 struct AsCsv {
   std::string operator()(std::string const& text) const { return csv_field(text); }
   std::string operator()(bool yes) const { return yes ? "true" : "false"; }
@@ -146,6 +209,11 @@ struct AsCsv {
     std::vector<std::string> laws;
     for (auto const& c : candidates) laws.push_back(in_words(c.terms) + ": " + round_trip(c.log_likelihood));
     return csv_field(fmt::format("{}", fmt::join(laws, "; ")));
+  }
+  std::string operator()(Numbers const& numbers) const {
+    std::vector<std::string> texts;
+    for (double const x : numbers) texts.push_back(round_trip(x));
+    return fmt::format("{}", fmt::join(texts, " "));
   }
 };
 

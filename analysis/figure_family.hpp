@@ -39,6 +39,9 @@ FigureSheet growth_sheet(Family const& family);
 /// Are the final errors normal? A panel a cell.
 FigureSheet histogram_sheet(Family const& family);
 
+/// Are the increments normal? A panel a cell.
+FigureSheet increments_sheet(Family const& family);
+
 /// Does the mean leave zero? A panel a cell, a curve a component.
 FigureSheet mean_sheet(Family const& family);
 

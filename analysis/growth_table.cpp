@@ -150,6 +150,14 @@ std::vector<std::string> legend(Rows const& rows, Notation notation) {
   return lines;
 }
 
+/// Where many drifts were tested at once.
+std::vector<std::string> correction(Rows const& rows) {
+  auto const chosen = rows.front().levels.correction.value_or(Correction::none);
+  if (chosen == Correction::none) return {};
+  return {fmt::format("verdicts: a drift is called seen by its p corrected for all drifts tested beside it ({}).",
+                      to_string(chosen))};
+}
+
 std::string failure(Estimates const& row) { return left_out(row, " were left out, their error is not finite"); }
 
 /// "energy, casimir": what a cell observed that lacks the same members for the same reasons; of all, "every error".
@@ -198,6 +206,7 @@ GrowthTable growth_table(Rows const& rows, CellsAs layout, Notation notation) {
                     legend(rows, notation),
                     failures(rows, factors)};
   add_far_off(table.notes, rows, factors);
+  for (auto const& line : correction(rows)) table.legend.push_back(line);
   for (auto const& cell : cells) {
     bool first = true;
     for (auto const& row : rows)

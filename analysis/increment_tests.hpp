@@ -14,12 +14,14 @@ struct Autocorrelation {
   double p = 1;       ///< two-sided, of no correlation
 };
 
-/// How the variance grows with the length over which increments are taken; 1 for a random walk.
+/// The walk at one scale: increments over longer and longer durations, and the single ones that they are made of.
 struct VarianceRatio {
   double scale = 0;  ///< mean duration of the aggregated increments, in units of time
-  double ratio = 1;  ///< their variance per unit of time over that of the single increments in them
+  double ratio = 1;  ///< their variance per unit of time over that of the single increments in them; 1 for a walk
   Interval interval;
-  double p = 1;  ///< two-sided, of a ratio of 1
+  double p = 1;      ///< two-sided, of a ratio of 1
+  double sigma = 0;  ///< σ of the walk at this scale, per √(unit of time)
+  Interval sigma_interval;
 };
 
 /// Are the increments of a walk normal? Effect sizes, and a test.

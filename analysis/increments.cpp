@@ -27,17 +27,25 @@ constexpr Index fewest_in_part = 32;
 struct Scaled {
   explicit Scaled(Ensemble const& ensemble)
       : errors(ensemble.errors),
-        unit(exact_scale(largest_magnitude(ensemble.errors))),
-        times(Eigen::Map<Eigen::ArrayXd const>(ensemble.times.data(), std::ssize(ensemble.times)) *
-              exact_scale(ensemble.times.back())),
+        error_unit(exact_scale(largest_magnitude(ensemble.errors))),
+        time_unit(exact_scale(ensemble.times.back())),
+        times(time_unit * Eigen::Map<Eigen::ArrayXd const>(ensemble.times.data(), std::ssize(ensemble.times))),
         free(times) {}
 
-  Eigen::ArrayXd increments(Index member) const { return free(errors.row(member), unit); }
+  Eigen::ArrayXd increments(Index member) const { return free(errors.row(member), error_unit); }
   Index members() const { return errors.rows(); }
   Index count() const { return members() * free.count(); }
 
+  /// In the ensemble's own units.
+  VarianceRatio restored(VarianceRatio ratio) const {
+    double const per_root = std::sqrt(time_unit) / error_unit;
+    ratio.scale /= time_unit;
+    for (double* sigma : {&ratio.sigma, &ratio.sigma_interval.low, &ratio.sigma_interval.high}) *sigma *= per_root;
+    return ratio;
+  }
+
   ErrorMatrix const& errors;
-  double unit;
+  double error_unit, time_unit;  // what errors and times are multiplied by
   Eigen::ArrayXd times;
   FreeIncrements free;
 };
@@ -89,7 +97,7 @@ template <class Part, class Add>
 Part summed(Index members, Part const& empty, Add add) {
   Index const parts = std::clamp<Index>(members / fewest_in_part, 1, most_parts);
   std::vector<Part> each(static_cast<std::size_t>(parts), empty);
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (parts == most_parts)
   for (Index part = 0; part < parts; ++part)
     for (Index i = part * members / parts; i < (part + 1) * members / parts; ++i)
       add(each[static_cast<std::size_t>(part)], i);
@@ -147,8 +155,8 @@ std::optional<IncrementTests> increment_tests(Ensemble const& ensemble, Levels c
   IncrementTests tests;
   tests.count = scaled.count();
   for (auto const& lag : sums.lags) tests.autocorrelations.push_back(lag.result(levels.confidence));
-  for (auto const& aggregate : sums.aggregates) tests.variance_ratios.push_back(aggregate.result(levels.confidence));
-  for (auto& ratio : tests.variance_ratios) ratio.scale /= exact_scale(ensemble.times.back());
+  for (auto const& aggregate : sums.aggregates)
+    tests.variance_ratios.push_back(scaled.restored(aggregate.result(levels.confidence)));
   tests.variance_ratio_p = joint_p(tests.variance_ratios);
   describe_shape(scaled, sums.powers, tests);
   return tests;

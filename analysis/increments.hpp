@@ -17,7 +17,8 @@ namespace brouwer {
 /// False alarms under the model, simulated (4000 ensembles each of 4, 8, 16 and 64 members with 8, 16 and 64 samples,
 /// linear and log-spaced): 4.2 to 5.8 % at the level 0.05 and 0 to 0.25 % at 0.001 for every test, as the binomial law
 /// has it for 0.05 and 0.001. Coverage of the 95 % intervals of ρ and V: 92 % for 4 members, 90 to 94 % for 8, 94 to 95 %
-/// for 64.
+/// for 64. Increments with heavy tails (t of 5 degrees of freedom) or skewness (exponential) do not harm the tests of
+/// correlation; variance ratios are then called false in 6 to 8 % at 0.05 and 0.1 to 0.5 % at 0.001.
 /// Cost: 10⁵ members × 200 samples in 0.3 s on two cores; the same bits on any number of them.
 ///
 /// @return nothing for one sample time, and where all increments are 0: there is nothing to test

@@ -38,6 +38,8 @@ namespace brouwer {
 /// Independent of units: all errors are multiplied by a power of two first (exact), so that no square over- or
 /// underflows.
 ///
+/// What the increments say of these assumptions stands beside it (increments.hpp).
+///
 /// Of a count (ensemble.count) the mean and the range are told and no law is estimated: what belongs to it is NaN.
 /// Where every member failed, all numbers are NaN, the verdict is `not resolved` and the sentence says why they failed.
 ///

@@ -25,7 +25,8 @@ std::set<std::string> stems_of(std::vector<Estimates> const& estimates, Words co
   for (auto const& family : families(estimates, {})) {
     if (!is_asked(family, quantities)) continue;
     bool const swept = !precision_sheet(family).panels.empty();
-    if (!swept || family.cells.size() <= crowded) stems.insert("growth-" + family.stem);
+    if (!swept || family.cells.size() <= crowded)
+      for (auto const* kind : {"growth-", "increments-"}) stems.insert(kind + family.stem);
     for (auto const* kind : {"precision-", "count-"}) stems.insert(kind + family.stem);
   }
   return stems;

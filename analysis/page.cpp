@@ -12,6 +12,7 @@
 #include "analysis/escape.hpp"
 #include "analysis/factors.hpp"
 #include "analysis/growth_table.hpp"
+#include "analysis/increments_table.hpp"
 #include "analysis/numbers.hpp"
 #include "analysis/verdict.hpp"
 
@@ -143,6 +144,26 @@ std::string measurements(std::vector<Estimates> const& rows) {
          paragraph(notes);
 }
 
+/// Folded away: it is asked for where a verdict is doubted.
+std::string increments(std::vector<Estimates> const& rows) {
+  auto const table = increments_table(rows, CellsAs::columns);
+  if (table.rows.empty()) return "";
+  Words heads, rule;
+  for (auto const& heading : table.headings) {
+    heads.push_back(markdown_text(heading.text));
+    rule.push_back(heading.left ? ":---" : "---:");
+  }
+  std::string text = row(heads) + fmt::format("|{}|\n", fmt::join(rule, "|"));
+  for (auto const& line : table.rows) {
+    Words cells;
+    for (auto const& word : line.words) cells.push_back(markdown_text(word));
+    text += row(cells);
+  }
+  std::string legend;
+  for (auto const& line : table.legend) legend += "- " + markdown_text(line) + "\n";
+  return folded("Increments", paragraph(text) + legend);
+}
+
 // --- expectations and figures ---------------------------------------------------------------------
 
 template <class Chosen>
@@ -184,7 +205,7 @@ std::string section_text(PageSection const& section, std::string const& place) {
   return paragraph(fmt::format("<a id=\"{}\"></a>", place)) + paragraph("## " + heading_of(section)) +
          paragraph(section.unfinished.empty() ? "" : "**" + markdown_text(section.unfinished) + "**") +
          paragraph(section.source.empty() ? "" : "Source: " + markdown_text(section.source)) +
-         measurements(section.estimates) + expectations(section) + figures(section);
+         measurements(section.estimates) + increments(section.estimates) + expectations(section) + figures(section);
 }
 
 std::string levels_in_words(std::vector<PageSection> const& sections) {

@@ -17,7 +17,7 @@ namespace {
 std::vector<FigureSheet> sheets_of(Family const& family) {
   std::vector<FigureSheet> sheets;
   if (family.rows.front().estimates->count) return {count_sheet(family)};
-  for (auto* const sheet : {growth_sheet, histogram_sheet, mean_sheet, precision_sheet})
+  for (auto* const sheet : {growth_sheet, histogram_sheet, increments_sheet, mean_sheet, precision_sheet})
     if (auto drawn = sheet(family); !drawn.panels.empty()) sheets.push_back(std::move(drawn));
   return sheets;
 }

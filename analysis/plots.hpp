@@ -14,8 +14,8 @@ struct Figures {
 };
 
 /// Draws the figures of each quantity (its components and all cells together) with gnuplot: growth-NAME (RMS on
-/// logarithmic axes with its band, the fitted law and Brouwer's σ√t), histogram-NAME (final errors, standardised,
-/// against the normal law), mean-NAME (mean over members with its interval, fitted drift) and, where steps h of a method
+/// logarithmic axes with its band, the fitted law and Brouwer's σ√t), histogram-NAME and increments-NAME (final errors and
+/// increments, standardised, against the normal law), mean-NAME (mean over members with its interval, fitted drift) and, where steps h of a method
 /// end at the same time, precision-NAME (error against steps and against CPU time); of a count, count-NAME alone. Beside
 /// each figure lie its script NAME.gp, which runs as it stands, and its data NAME.dat.
 /// @param final_errors  row by row of the estimates, the members' errors at the last sample; where empty, no histogram

@@ -83,12 +83,12 @@ struct RandomSigns::Split {
   Cumulants rest;
   double scale = 1;
 
-  /// P(sum ≥ x) and P(sum ≤ x).
+  /// P(sum ≤ x) and P(sum ≥ x).
   Tails tails(double x) const {
     Tails mean{0, 0};
-    double const deviation = std::sqrt(rest.second), share = 1 / static_cast<double>(counted.size());
+    double const share = 1 / static_cast<double>(counted.size());
     for (double const value : counted) {
-      auto const [lower, upper] = of_rest(x - value, deviation);
+      auto const [lower, upper] = of_rest(x - value);
       mean.lower += share * lower;
       mean.upper += share * upper;
     }
@@ -96,8 +96,9 @@ struct RandomSigns::Split {
   }
 
  private:
-  Tails of_rest(double x, double deviation) const {
-    if (deviation <= rounding * scale) return {x >= -rounding * scale ? 1.0 : 0.0, x <= rounding * scale ? 1.0 : 0.0};
+  Tails of_rest(double x) const {
+    double const near = rounding * scale, deviation = std::sqrt(std::max(rest.second, 0.0));
+    if (rest.second <= near * scale) return {x >= -near ? 1.0 : 0.0, x <= near ? 1.0 : 0.0};  // what rounding has left
     return pearson_tails(x / deviation, rest.third / (rest.second * deviation),
                          rest.fourth / (rest.second * rest.second));
   }

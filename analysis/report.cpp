@@ -10,6 +10,8 @@
 #include "analysis/escape.hpp"
 #include "analysis/factors.hpp"
 #include "analysis/growth_table.hpp"
+#include "analysis/increments_objection.hpp"
+#include "analysis/increments_table.hpp"
 #include "analysis/report_style.hpp"
 
 namespace brouwer {
@@ -87,7 +89,7 @@ std::string expectations(ReportContent const& content) {
          rows + "</tbody></table></div>\n" + rest;
 }
 
-// --- the growth table -----------------------------------------------------------------------------
+// --- tables of estimates --------------------------------------------------------------------------
 
 std::string table_row(GrowthTable const& table, std::vector<std::string> const& words) {
   std::string cells;
@@ -96,10 +98,8 @@ std::string table_row(GrowthTable const& table, std::vector<std::string> const& 
   return "<tr>" + cells + "</tr>\n";
 }
 
-std::string growth(std::vector<Estimates> const& rows) {
-  if (rows.empty()) return "";
-  auto const layout = best_layout(rows);
-  auto const table = growth_table(rows, layout);
+std::string table_element(GrowthTable const& table, CellsAs layout) {
+  if (table.rows.empty()) return "";
   std::string heads, body, below;
   for (auto const& heading : table.headings)
     heads += fmt::format("<th{}>{}</th>", heading.left ? "" : " class=\"number\"", xml_text(heading.text));
@@ -113,6 +113,28 @@ std::string growth(std::vector<Estimates> const& rows) {
   for (auto const& line : table.legend) below += text_element("li", line);
   return text_element("p", table.shared) + "<div class=\"wide\"><table>\n<thead><tr>" + heads +
          "</tr></thead>\n<tbody>\n" + body + "</tbody></table></div>\n<ul class=\"legend\">\n" + below + "</ul>\n";
+}
+
+using MakeTable = GrowthTable (*)(std::vector<Estimates> const&, CellsAs);
+
+std::string table_of(std::vector<Estimates> const& rows, MakeTable table) {
+  auto const layout = best_layout(rows);
+  return table_element(table(rows, layout), layout);
+}
+
+GrowthTable plain_growth_table(std::vector<Estimates> const& rows, CellsAs layout) {
+  return growth_table(rows, layout);
+}
+
+/// The sentences of those that contradict the model.
+std::string objections(std::vector<Estimates> const& rows) {
+  auto const varying = varying_factors(cells_of(rows));
+  std::string items;
+  for (auto const& row : rows)
+    if (auto const objection = increments_objection(row); !objection.empty())
+      items += fmt::format("<li><b>{}</b>, {}: {}</li>\n", xml_text(row.quantity),
+                           xml_text(short_label(row.cell, varying)), xml_text(objection));
+  return items.empty() ? "" : "<ul>\n" + items + "</ul>\n";
 }
 
 // --- figures --------------------------------------------------------------------------------------
@@ -170,6 +192,9 @@ constexpr Kind kinds[] = {
     {"histogram-",
      "Final errors of the members, less their mean and over their standard deviation. The sum of many "
      "small independent errors is normal."},
+    {"increments-",
+     "Increments of the members' errors less the slope so far, over their standard deviation. Those of a walk of many "
+     "small independent errors are normal."},
     {"precision-",
      "Error at the end against work: steps, and CPU time of a member where it was recorded. Points of a line differ in "
      "their step h alone."},
@@ -196,7 +221,10 @@ std::string render_report(ReportContent const& content) {
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
          text_element("title", title) + element("style", report_style) + "</head>\n<body>\n" + page_header(content) +
          section("Expectations", expectations(content)) + section("Verdicts", verdicts(content.estimates)) +
-         section("Growth", growth(content.estimates)) + section("Figures", figures(content)) +
+         section("Growth", table_of(content.estimates, plain_growth_table)) +
+         section("Decisions", table_of(content.estimates, decisions_table)) +
+         section("Increments", objections(content.estimates) + table_of(content.estimates, increments_table)) +
+         section("Figures", figures(content)) +
          section("What was run",
                  run(content) + folded("Study file", content.study_text) + folded("Provenance", content.provenance)) +
          "</body>\n</html>\n";

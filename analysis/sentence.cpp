@@ -19,7 +19,8 @@ std::string exponent(Estimates const& e) {
 }
 
 std::string t_test(Estimates const& e) {
-  return fmt::format("t = {}, {}", number(e.drift.t, 3), probability(e.drift.p));
+  std::string const adjusted = e.drift.p_alone ? ", adjusted " + probability(e.drift.p) : "";
+  return fmt::format("t = {}, {}{}", number(e.drift.t, 3), probability(e.drift.own_p()), adjusted);
 }
 
 /// Where the full model has noise, the other numbers are its own.

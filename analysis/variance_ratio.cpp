@@ -1,6 +1,7 @@
 #include "analysis/variance_ratio.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace brouwer {
 namespace {
@@ -61,17 +62,24 @@ void AggregateSums::add(Eigen::ArrayXd const& w) {
     signs_.add_square(terms);
   }
   ratio_.add(squares, singles);
+  size_.add(squares, static_cast<double>(aggregation_->blocks.size()));
 }
 
 AggregateSums& AggregateSums::operator+=(AggregateSums const& other) {
   ratio_ += other.ratio_;
+  size_ += other.size_;
   signs_ += other.signs_;
   return *this;
 }
 
 VarianceRatio AggregateSums::result(double confidence) const {
-  return {aggregation_->scale, ratio_.value(), ratio_.log_interval(members_, confidence),
-          signs_.two_sided(ratio_.a - ratio_.b)};
+  auto const squares = size_.log_interval(members_, confidence);
+  return {aggregation_->scale,
+          ratio_.value(),
+          ratio_.log_interval(members_, confidence),
+          signs_.two_sided(ratio_.a - ratio_.b),
+          std::sqrt(size_.value()),
+          {std::sqrt(squares.low), std::sqrt(squares.high)}};
 }
 
 }  // namespace brouwer

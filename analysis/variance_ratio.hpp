@@ -40,7 +40,7 @@ constexpr double longest_reach = 4;  ///< t_b/t_a of a block
 ///     V = Σ W² / Σ cₖ²wₖ²      over all blocks and members,
 ///
 /// which compares each block with the increments in it, so that a σ that changes with time or from member to member
-/// does not matter. W² − Σ cₖ²wₖ² is tested as the square of a sum of random signs (random_signs.hpp).
+/// does not matter. σ at this scale is √(mean W²). W² − Σ cₖ²wₖ² is tested as the square of a sum of random signs (random_signs.hpp).
 class AggregateSums {
  public:
   AggregateSums(Aggregation const& aggregation, std::int64_t members)
@@ -56,7 +56,7 @@ class AggregateSums {
  private:
   Aggregation const* aggregation_;
   std::int64_t members_;
-  MemberRatio ratio_;
+  MemberRatio ratio_, size_;  // of ΣW² to Σc²w², and to the number of blocks
   RandomSigns signs_;
 };
 

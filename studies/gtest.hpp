@@ -5,6 +5,7 @@
 ///       brouwer::StudyRun const study("studies/elliptic-drift.toml", {"ensemble.members=64"});
 ///       auto const& energy = study.row("energy", {.method = "elliptic-three-constants"});
 ///       EXPECT_THAT(energy, brouwer::HasNoDrift());
+///       EXPECT_THAT(energy, brouwer::DriftIsSmallerThan(1e-18));
 ///       EXPECT_THAT(energy, brouwer::GrowsAs(0.5, 0.05));
 ///     }
 ///
@@ -103,6 +104,9 @@ class MeetsClaim {
   std::string described(char const* verb) const {
     if (claim_.growth)
       return fmt::format("{} growth as t^{} ± {}", verb, claim_.growth->exponent, claim_.growth->within);
+    if (claim_.failed) return fmt::format("{} 'at most {} members failed'", verb, *claim_.failed);
+    if (claim_.drift == Expectation::DriftWanted::smaller_than)
+      return fmt::format("{} '|drift| < {} per step'", verb, claim_.drift_bound);
     if (claim_.drift == Expectation::DriftWanted::none) return fmt::format("{} 'no drift'", verb);
     return fmt::format("{} a drift in [{}, {}] per step", verb, claim_.drift_band.low, claim_.drift_band.high);
   }
@@ -122,6 +126,23 @@ inline MeetsClaim DriftsBetween(double low, double high) {
   Expectation claim;
   claim.drift = Expectation::DriftWanted::band;
   claim.drift_band = {low, high};
+  return MeetsClaim(claim);
+}
+
+/// |β| < bound per step, proven at the level of the test; that of the study's levels unless given. Where members are too
+/// few to prove it, this fails: the message says the smallest bound that they prove.
+inline MeetsClaim DriftIsSmallerThan(double bound, std::optional<double> level = {}) {
+  Expectation claim;
+  claim.drift = Expectation::DriftWanted::smaller_than;
+  claim.drift_bound = bound;
+  claim.level = level;
+  return MeetsClaim(claim);
+}
+
+/// At most so many members have failed.
+inline MeetsClaim HasFailedAtMost(std::int64_t members) {
+  Expectation claim;
+  claim.failed = members;
   return MeetsClaim(claim);
 }
 

@@ -12,6 +12,7 @@
 #include "studies/reading/expectation_sections.hpp"
 #include "studies/reading/reach.hpp"
 #include "studies/reading/study_sections.hpp"
+#include "studies/reading/tests_section.hpp"
 
 namespace brouwer {
 namespace {
@@ -73,13 +74,15 @@ StudyFile parse_study(std::string const& text, std::filesystem::path const& file
                       std::vector<Override> const& overrides, Reach reach) {
   toml::table table = parse(text, file.string());
   apply(overrides, table);
-  StudyFile result{file, {}, {}, {}, {}, overrides.empty() ? text : serialised(table)};
+  StudyFile result{file, {}, {}, {}, {}, {}, overrides.empty() ? text : serialised(table)};
   Reading reading{file.string(), overrides, {}};
   Section root(reading, &table, "");
   result.study.name = file.stem().string();
   read_study_sections(root, catalogue, result.study);
+  TestsSection const tests = read_tests(root);
+  result.correction = tests.correction;
   if (!result.study.system.empty())
-    result.expectations = read_expectations(root, reading, catalogue, result.study.system);
+    result.expectations = read_expectations(root, reading, catalogue, result.study.system, tests.level);
   reading.complaints.raise();
   result.plan = plan_of(result.study, catalogue, file.string());
   judge_reach(result, reading, catalogue, reach);

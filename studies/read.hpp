@@ -3,6 +3,7 @@
 #include <brouwer/ensemble/plan.hpp>
 #include <brouwer/ensemble/study.hpp>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,9 @@ struct StudyFile {
   Study study;
   Plan plan;
   std::vector<Expectation> expectations;
-  std::vector<std::string> unjudged;  ///< expectations left out, a sentence each, why the study cannot judge them
-  std::string text;                   ///< TOML: as it was read, or serialised with the overrides applied
+  std::optional<Correction> correction;  ///< of all tests of the expectations at once
+  std::vector<std::string> unjudged;     ///< expectations left out, a sentence each, why the study cannot judge them
+  std::string text;                      ///< TOML: as it was read, or serialised with the overrides applied
 };
 
 /// Reads a study file; lenient where there are overrides.

@@ -42,7 +42,7 @@ int check(CheckCommand const& command, Catalogue const& catalogue) {
   refuse_nothing_to_check(file);
   auto const folder = stored ? std::filesystem::path(command.subject) : results_of(file, command, catalogue);
   if (!folder) return interrupted;
-  auto const outcomes = Findings({folder->string()}, command.settings.levels).check(file.expectations);
+  auto const outcomes = Findings({folder->string()}, levels_of(file, command.settings)).check(file.expectations);
   print_outcomes(outcomes, file.unjudged);
   if (!command.junit.empty()) write_whole(command.junit, to_junit(file.study.name, outcomes));
   return exit_status(outcomes);

@@ -21,6 +21,11 @@ void check_levels(Levels const& levels) {
 void add_levels(CLI::App& app, Levels& levels) {
   app.add_option("--level", levels.test, "level at which a drift or persistence counts as seen")->capture_default_str();
   app.add_option("--confidence", levels.confidence, "of the intervals")->capture_default_str();
+  app.add_option_function<std::string>(
+         "--correction", [&levels](std::string const& name) { levels.correction = correction_of(name); },
+         "where many drifts are tested: holm (no false alarm among all), fdr (few among those seen) or none; default: "
+         "the study's")
+      ->type_name("NAME");
   app.parse_complete_callback([&levels] { check_levels(levels); });
 }
 

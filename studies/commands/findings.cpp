@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <brouwer/error.hpp>
 
+#include "analysis/correct.hpp"
 #include "analysis/factors.hpp"
 #include "analysis/failures.hpp"
+#include "analysis/increments_objection.hpp"
 #include "analysis/inference.hpp"
 #include "analysis/sweep.hpp"
 #include "studies/commands/commands.hpp"
+#include "studies/reading/tests_section.hpp"
 
 namespace brouwer {
 namespace {
@@ -50,11 +53,18 @@ Findings::Findings(std::vector<std::string> const& folders, Levels const& levels
   for (auto const& folder : folders) results_.emplace_back(folder);
   for (std::size_t i = 0; i < results_.size(); ++i) analyse(i);
   if (rows_.empty()) throw InputError(fmt::format("{}: no unit is finished yet", fmt::join(folders, ", ")));
+  if (levels_.correction) correct(rows_, *levels_.correction);
+}
+
+Correction Findings::correction_of(std::size_t results) const {
+  auto const asked = levels_.correction ? levels_.correction : correction_in(results_[results].study_text());
+  return asked.value_or(Correction::none);
 }
 
 void Findings::analyse(std::size_t results) {
   Results const& stored = results_[results];
   say_if_unfinished(stored);
+  auto const before = rows_.size();
   for (std::size_t cell = 0; cell < stored.cells(); ++cell) {
     if (stored.finished_members(cell) == 0) continue;
     double const seconds = stored.seconds_per_member(cell);
@@ -66,6 +76,7 @@ void Findings::analyse(std::size_t results) {
       cpu_seconds_.push_back(seconds);
     }
   }
+  if (!levels_.correction) correct(std::span(rows_).subspan(before), correction_of(results));
 }
 
 Ensemble Findings::ensemble(std::size_t row) const {
@@ -92,13 +103,17 @@ std::vector<Outcome> Findings::check(std::vector<Expectation> const& expectation
     for (auto row : rows) cells.push_back(ensemble(row));
     return fit_sweep(cells, levels_);
   };
-  return brouwer::check(expectations, rows_, sweep);
+  return brouwer::check(expectations, rows_, sweep, correction_of(0));
 }
 
 void print_verdicts(std::vector<Estimates> const& rows) {
   auto const varying = varying_factors(cells_of(rows));
   fmt::print("\n");
-  for (auto const& row : rows) fmt::print("{}, {}: {}\n", row.quantity, short_label(row.cell, varying), row.sentence);
+  for (auto const& row : rows) {
+    auto const objection = increments_objection(row);
+    fmt::print("{}, {}: {}{}{}\n", row.quantity, short_label(row.cell, varying), row.sentence,
+               objection.empty() ? "" : " ", objection);
+  }
 }
 
 void print_outcomes(std::vector<Outcome> const& outcomes, std::vector<std::string> const& unjudged) {

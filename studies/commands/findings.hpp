@@ -15,7 +15,8 @@ namespace brouwer {
 /// time; figures and sweeps read those that they need again.
 class Findings {
  public:
-  /// Reads and analyses everything that is finished. @throws InputError, RunError as Results does
+  /// Reads and analyses everything that is finished. The drifts are corrected for one another as levels.correction
+  /// says, all of them at once; where it is unset, those of each folder as its study says. @throws InputError, RunError as Results does
   Findings(std::vector<std::string> const& folders, Levels const& levels);
 
   std::vector<Estimates> const& rows() const { return rows_; }
@@ -37,6 +38,7 @@ class Findings {
     std::size_t results, cell;
   };
   void analyse(std::size_t results);
+  Correction correction_of(std::size_t results) const;
 
   Levels levels_;
   std::vector<Results> results_;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "analysis/correct.hpp"
 #include "analysis/csv.hpp"
 #include "analysis/inference.hpp"
 #include "analysis/plots.hpp"
@@ -17,6 +18,7 @@ int fit(FitCommand const& command) {
     rows.push_back(estimate(ensemble, command.levels));
     final_errors.push_back(final_errors_of(ensemble));
   }
+  correct(rows, command.levels.correction.value_or(Correction::none));
   fmt::print("{}", render_table(rows, format));
   if (format == TableFormat::text) print_verdicts(rows);
   if (!command.figures.empty()) draw_and_say(rows, final_errors, command.figures, "svg");

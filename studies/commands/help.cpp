@@ -43,6 +43,23 @@ Example:
       {"check",
        R"(A study file is run first, as far as it is not yet run. A folder is judged as it is.
 
+What an [[expect]] may ask for, of a quantity or component, in the cells that `where` selects:
+  drift = "none"                         none is seen at the level
+  drift = { per_step = [low, high] }     the estimate lies inside, and is seen unless 0 does, too
+  drift = { smaller_than = 1e-19 }       |drift| < 1e-19 per step is proven at the level (two one-sided t tests): what a
+                                         regression test needs, because an ensemble too small to see a drift cannot
+  growth = { exponent = 0.5, within = 0.05 }             RMS grows as t^exponent
+  step_exponent = { exponent = 0.5, within = 0.1 }       … and as h^exponent, over three steps h or more
+  persistence = "none"                   or "present": slopes that members keep
+  verdict = ["random walk", "bounded"]   one of these
+  mean = [low, high], rms = [low, high]  at the last sample
+  failed = 0                             at most so many members have failed
+  level = 0.01                           of its tests
+
+[tests] level = 0.001 is that of all expectations that have none of their own. [tests] correction = "holm" keeps the
+chance of any false alarm among all tests of the study below the level, "fdr" the share of false ones among the alarms
+(for tests that are independent or depend positively); --correction takes its place.
+
 Examples:
   brouwer check studies/elliptic-drift.toml --junit outcome.xml
   brouwer check results/elliptic-drift)"},

@@ -16,7 +16,7 @@ int run(RunCommand const& command, Catalogue const& catalogue) {
   auto const folder = result_folder(file, command.settings);
   print_study(file, catalogue, folder);
   if (!run_missing(file, catalogue, folder, options)) return interrupted;
-  Findings const findings({folder.string()}, command.settings.levels);
+  Findings const findings({folder.string()}, levels_of(file, command.settings));
   fmt::print("\n{}", render_table(findings.rows(), TableFormat::text));
   print_verdicts(findings.rows());
   auto const outcomes = findings.check(file.expectations);

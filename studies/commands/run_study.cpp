@@ -42,6 +42,12 @@ double member_steps(StudyFile const& file) {
   return steps;
 }
 
+Levels levels_of(StudyFile const& file, RunSettings const& settings) {
+  Levels levels = settings.levels;
+  if (!levels.correction) levels.correction = file.correction.value_or(Correction::none);
+  return levels;
+}
+
 std::filesystem::path result_folder(StudyFile const& file, RunSettings const& settings) {
   if (!settings.folder.empty()) return settings.folder;
   std::filesystem::path const results = "results";

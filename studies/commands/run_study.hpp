@@ -16,6 +16,9 @@ std::vector<std::pair<std::string, std::string>> run_entries(StudyFile const& fi
 /// What is asked, run and left out, on standard output.
 void print_study(StudyFile const& file, Catalogue const& catalogue, std::filesystem::path const& folder);
 
+/// The levels that options ask for; the correction is the study's where they ask for none.
+Levels levels_of(StudyFile const& file, RunSettings const& settings);
+
 /// Steps of all members of all cells.
 double member_steps(StudyFile const& file);
 

@@ -5,6 +5,7 @@
 #include <brouwer/ensemble/catalogue.hpp>
 
 #include "analysis/expectations.hpp"
+#include "studies/reading/limits.hpp"
 #include "studies/reading/names.hpp"
 
 namespace brouwer {
@@ -66,7 +67,7 @@ Selector read_selector(Section where, Catalogue const& catalogue, std::string co
   return selector;
 }
 
-/// "none", or { per_step = [low, high] }.
+/// "none", { per_step = [low, high] } or { smaller_than = 1e-19 }.
 void read_drift(Section& expect, Expectation& expectation) {
   using Wanted = Expectation::DriftWanted;
   toml::node const* node = expect.find("drift");
@@ -76,11 +77,14 @@ void read_drift(Section& expect, Expectation& expectation) {
     return;
   }
   Section drift = expect.section("drift");
-  if (auto const interval = drift.required("per_step", band())) {
-    expectation.drift = Wanted::band;
-    expectation.drift_band = *interval;
-  }
+  auto const interval = drift.value("per_step", band());
+  auto const bound = drift.value("smaller_than", positive());
+  if (interval) expectation.drift_band = *interval;
+  if (bound) expectation.drift_bound = *bound;
+  expectation.drift = bound ? Wanted::smaller_than : interval ? Wanted::band : Wanted::unsaid;
   drift.refuse_unknown_keys();
+  if (drift.has("per_step") == drift.has("smaller_than"))
+    drift.complain(drift.path() + ": expected one of per_step, smaller_than");
 }
 
 /// { exponent = 0.5, within = 0.05 }.
@@ -101,7 +105,7 @@ std::optional<bool> read_persistence(Section& expect) {
 }
 
 bool claims_something(Section& expect) {
-  for (auto const* key : {"drift", "growth", "step_exponent", "persistence", "verdict", "mean", "rms"})
+  for (auto const* key : {"drift", "growth", "step_exponent", "persistence", "verdict", "mean", "rms", "failed"})
     if (expect.has(key)) return true;
   return false;
 }
@@ -118,19 +122,20 @@ Expectation read_expectation(Section& expect, Catalogue const& catalogue, std::s
   expectation.verdict = expect.levels("verdict", one_of("verdict", verdict_words()));
   expectation.mean = expect.value("mean", band());
   expectation.rms_final = expect.value("rms", band());
+  expectation.failed = expect.value("failed", whole(0, most_members));
   expectation.level = expect.value("level", above_up_to(0, 0.5));
   expect.refuse_unknown_keys();
   if (!claims_something(expect))
     expect.complain(
         "the expectation claims nothing, expected drift, growth, step_exponent, "
-        "persistence, verdict, mean or rms");
+        "persistence, verdict, mean, rms or failed");
   return expectation;
 }
 
 }  // namespace
 
 std::vector<Expectation> read_expectations(Section& root, Reading& reading, Catalogue const& catalogue,
-                                           std::string const& system) {
+                                           std::string const& system, std::optional<double> level) {
   toml::node const* node = root.find("expect");
   if (!node) return {};
   if (!node->is_array_of_tables()) {
@@ -142,6 +147,7 @@ std::vector<Expectation> read_expectations(Section& root, Reading& reading, Cata
     std::string const path = fmt::format("expect[{}]", expectations.size() + 1);
     Section expect(reading, element.as_table(), path, element.source());
     expectations.push_back(read_expectation(expect, catalogue, system));
+    if (!expectations.back().level) expectations.back().level = level;
     expectations.back().line = static_cast<int>(element.source().begin.line);
   }
   return expectations;

@@ -31,7 +31,7 @@ void read_study_sections(Section& root, Catalogue const& catalogue, Study& study
   study.question = root.value("question", text()).value_or("");
   study.source = root.value("source", text()).value_or("");
   SystemDescription const* system = read_system(root, catalogue, study);
-  for (auto const* known : {"integrate", "ensemble", "observe", "expect"}) root.find(known);
+  for (auto const* known : {"integrate", "ensemble", "observe", "tests", "expect"}) root.find(known);
   root.refuse_unknown_keys();
   if (!system) return;
   read_integrate(root, catalogue, study);
