@@ -72,14 +72,15 @@ struct Candidate {
 
 /// What the data support of e(t) = (β + b)t + σW(t) + νε(t): see growth_model.hpp.
 struct FullModel {
-  std::vector<Candidate> candidates;  ///< walk, walk + slopes, walk + noise, all three, noise, noise + slopes
+  std::vector<Candidate> candidates = {};  ///< walk, walk + slopes, walk + noise, all three, noise, noise + slopes
   std::size_t chosen = 0;
   double p_noise = 1, p_walk = 1, p_slopes = 1;  ///< of the tests by which it was chosen
   double p_course = 1;  ///< small where the mean of the members moves more than independent members let it
   double p_end = 1;     ///< small where the spread at the end is not what the law says
-  Interval drift, slopes, diffusion, noise;  ///< profile likelihood, of β, τ, σ, ν; [0, 0] of what was not chosen
-  double t = 0, p = 1;                       ///< of β = 0
-  double standard_error = 0;                 ///< of β
+  /// Profile likelihood, of β, τ, σ, ν; of σ and ν [0, 0] where they were not chosen.
+  Interval drift = {}, slopes = {}, diffusion = {}, noise = {};
+  double t = 0, p = 1;        ///< of β = 0
+  double standard_error = 0;  ///< of β
 
   Candidate const& law() const { return candidates[chosen]; }
 };

@@ -8,7 +8,6 @@
 #include "analysis/distributions.hpp"
 #include "analysis/growth_intervals.hpp"
 #include "analysis/growth_likelihood.hpp"
-#include "analysis/noise_score.hpp"
 
 namespace brouwer {
 namespace {
@@ -22,6 +21,8 @@ constexpr std::array<LawTerms, 6> laws = {{{true, false, false},
                                            {false, false, true},
                                            {false, true, true}}};
 
+using Fits = std::array<GrowthFit, laws.size()>;
+
 std::size_t place_of(LawTerms const& terms) {
   return static_cast<std::size_t>(std::find(laws.begin(), laws.end(), terms) - laws.begin());
 }
@@ -31,8 +32,8 @@ GrowthFit fit(GrowthLikelihood const& likelihood, LawTerms const& law) {
   return likelihood.at(law.walk ? 0 : only_noise, law.slopes);
 }
 
-std::array<GrowthFit, laws.size()> fits_of(GrowthLikelihood const& likelihood) {
-  std::array<GrowthFit, laws.size()> fits;
+Fits fits_of(GrowthLikelihood const& likelihood) {
+  Fits fits;
   for (std::size_t k = 0; k < laws.size(); ++k) fits[k] = fit(likelihood, laws[k]);
   return fits;
 }
@@ -46,27 +47,53 @@ Candidate candidate(LawTerms const& terms, GrowthFit const& fit, double least_de
           units.size(std::sqrt(fit.nu2()))};
 }
 
-/// How the fits of two laws compare, the smaller one first.
-double p_between(std::array<GrowthFit, laws.size()> const& fits, LawTerms const& smaller, LawTerms const& larger) {
-  return boundary_p(fits[place_of(smaller)].deviance - fits[place_of(larger)].deviance);
+std::vector<Candidate> candidates_of(Fits const& fits, Units const& units) {
+  auto const less = [](GrowthFit const& a, GrowthFit const& b) { return a.deviance < b.deviance; };
+  double const least = std::min_element(fits.begin(), fits.end(), less)->deviance;
+  std::vector<Candidate> candidates;
+  for (std::size_t k = 0; k < laws.size(); ++k) candidates.push_back(candidate(laws[k], fits[k], least, units));
+  return candidates;
 }
 
-LawTerms choose(std::array<GrowthFit, laws.size()> const& fits, double level, double p_signs, FullModel& model) {
+/// What twice a log-likelihood ratio is measured by.
+struct Yardstick {
+  double inflation = 1;  ///< how much more uncertain variances are than those of normal increments
+  double dof = 0;        ///< of the inflation, where it is estimated; 0: normal increments
+
+  double p(double twice_ratio) const {
+    double const x = twice_ratio / inflation;
+    if (dof == 0 || !(x > 0)) return boundary_p(x);
+    return student_two_sided(std::sqrt(x), dof) / 2;
+  }
+};
+
+Yardstick yardstick(Tails const& tails, double members) {
+  if (tails.normal) return {};
+  return {std::max({1.0, tails.dispersion, 1 + tails.kurtosis / 2}), members - 1};
+}
+
+/// The p of the smaller one of two laws.
+double p_between(Fits const& fits, LawTerms const& smaller, LawTerms const& larger, Yardstick const& yardstick) {
+  return yardstick.p(fits[place_of(smaller)].deviance - fits[place_of(larger)].deviance);
+}
+
+/// @param p_signs  of slopes, beside a walk
+LawTerms choose(Fits const& fits, double level, double p_signs, Yardstick const& yardstick, FullModel& model) {
   LawTerms terms{true, true, true};
-  model.p_noise = std::max(model.p_noise, p_between(fits, {true, true, false}, terms));
+  model.p_noise = p_between(fits, {true, true, false}, terms, yardstick);
   terms.noise = model.p_noise < level;
-  model.p_walk = terms.noise ? p_between(fits, {false, true, true}, terms) : 0;
+  model.p_walk = terms.noise ? p_between(fits, {false, true, true}, terms, yardstick) : 0;
   terms.walk = model.p_walk < level;
-  if (terms.noise) model.p_slopes = p_between(fits, {terms.walk, false, true}, {terms.walk, true, true});
+  if (terms.noise) model.p_slopes = p_between(fits, {terms.walk, false, true}, {terms.walk, true, true}, yardstick);
   if (terms.noise && terms.walk) model.p_slopes = std::max(model.p_slopes, p_signs);
   terms.slopes = model.p_slopes < level;
   return terms;
 }
 
 /// Of the mean's course against the rest of the members.
-double course_p(GrowthLikelihood const& likelihood, double rho) {
-  auto const r = likelihood.statistics().at(rho);
-  double const m = likelihood.statistics().times() - 1, n = m * (likelihood.statistics().members() - 1);
+double course_p(GrowthStatistics const& statistics, double rho) {
+  auto const r = statistics.at(rho);
+  double const m = statistics.times() - 1, n = m * (statistics.members() - 1);
   return fisher_upper(r.course / m / ((r.residual - r.course) / n), m, n);
 }
 
@@ -89,9 +116,10 @@ void test_drift(FullModel& model, GrowthFit const& fit, GrowthStatistics const& 
   model.drift = units.rate(Interval{fit.slope - half, fit.slope + half});
 }
 
-/// How much more uncertain a variance is than one of normal increments.
-double inflation(Tails const& tails) {
-  return tails.normal ? 1 : std::max({1.0, tails.dispersion, 1 + tails.kurtosis / 2});
+/// Members that differ, in their ends and in their ways there.
+bool leaves_a_choice(GrowthStatistics const& statistics) {
+  auto const closed = statistics.at(0);
+  return statistics.slope_spread() > 0 && closed.residual > closed.course && closed.course >= 0;
 }
 
 }  // namespace
@@ -105,25 +133,20 @@ std::optional<FullModel> growth_model(Ensemble const& ensemble, Units const& uni
                                       Tails const& tails, double slopes_p) {
   if (ensemble.errors.rows() < 2 || ensemble.errors.cols() < 3) return std::nullopt;
   GrowthStatistics const statistics(ensemble, units);
-  auto const closed = statistics.at(0);
-  if (!(statistics.slope_spread() > 0) || !(closed.residual > closed.course) || !(closed.course >= 0))
-    return std::nullopt;
+  if (!leaves_a_choice(statistics)) return std::nullopt;
   GrowthLikelihood const likelihood(statistics);
   auto const fits = fits_of(likelihood);
   FullModel model;
-  double const least = std::min_element(fits.begin(), fits.end(), [](auto const& a, auto const& b) {
-                         return a.deviance < b.deviance;
-                       })->deviance;
-  for (std::size_t k = 0; k < laws.size(); ++k) model.candidates.push_back(candidate(laws[k], fits[k], least, units));
-  model.p_noise = noise_score_p(ensemble, units);
+  model.candidates = candidates_of(fits, units);
   model.p_slopes = slopes_p;
-  auto const terms = choose(fits, levels.test, doubling_signs_p(ensemble, units), model);
+  auto const measure = yardstick(tails, statistics.members());
+  auto const terms = choose(fits, levels.test, doubling_signs_p(ensemble, units), measure, model);
   model.chosen = place_of(terms);
   auto const& chosen = fits[model.chosen];
-  model.p_course = course_p(likelihood, chosen.rho);
+  model.p_course = course_p(statistics, chosen.rho);
   model.p_end = end_p(statistics, chosen);
   test_drift(model, chosen, statistics, units, levels.confidence);
-  auto const intervals = profile_intervals(likelihood, chosen, terms, levels.confidence, inflation(tails));
+  auto const intervals = profile_intervals(likelihood, chosen, terms, levels.confidence, measure.inflation);
   model.diffusion = units.sqrt_rate(intervals.sigma);
   model.slopes = units.rate(intervals.tau);
   model.noise = units.size(intervals.nu);

@@ -5,7 +5,7 @@
 
 namespace brouwer {
 
-/// The law of growth of one quantity of one cell, in closed form, with a verdict.
+/// The law of growth of one quantity of one cell, with a verdict.
 ///
 /// Model: eᵢ(t) = (β + bᵢ) t + σ Wᵢ(t), bᵢ ~ N(0, τ²), W a Brownian motion, for M members at t₁ < … < t_J; eᵢ(0) = 0.
 /// With the increments Δᵢⱼ over δⱼ = tⱼ − tⱼ₋₁ and the slopes sᵢ = eᵢ(t_J)/t_J, exactly under the model:
@@ -23,6 +23,15 @@ namespace brouwer {
 /// Chance with which that drift is seen, by the exact noncentral t: 0.898 to 0.902 for all M ≥ 2 and a from 0.001 to
 /// 0.05. z_{a/2} + z_b in its place would promise too much to small ensembles: 0.36 at M = 8, 0.68 at 16, 0.86 at 64.
 /// It uses the total spread of the slopes, so it holds with persistent slopes, too.
+///
+/// Beside the closed form, each with its own rules and measured error rates:
+///
+///     growth_model.hpp  noise ν that does not grow: where the data ask for it and agree with it (noise_in_force in
+///                       verdict.hpp), β, τ, σ and their intervals are of restricted maximum likelihood; otherwise the
+///                       closed form stands bit for bit. τ's interval is always by likelihood
+///     tails.hpp         increments that are not normal: σ's interval and p of F
+///     transient.hpp     a mean that begins otherwise than it goes on
+///     far_off.hpp       a few members far from all others: set aside and named, the estimates are of the rest
 ///
 /// What is not defined is NaN: with one member the spread of slopes, t, F and their intervals; with one sample time σ,
 /// F and the growth exponent; with all slopes equal and zero, t. With all slopes equal and not zero, t is infinite.

@@ -29,9 +29,9 @@ constexpr double widest_exponent_half = 0.25;  ///< a wider interval says nothin
 ///     bounded             M ≥ 8, F < 0.5 with P(F' ≤ F) < a, q's interval lies below 0.25, and neither the mean
 ///                         nor the RMS has changed at the level a since the middle of the run in log t (so an offset
 ///                         is no drift, and a walk that just emerges from bounded noise is not called bounded)
-///     drift, persistent   M ≥ 8, J ≥ 8, the full model has noise, and its p_course and p_end are at least a: the law beside
-///       slopes, or        bounded noise, whatever F and q are. A drift if its p is below a, else what the model has of
-///       random walk       slopes and walk
+///     drift, persistent   M ≥ 8, J ≥ 8, the full model has noise, and its p_course and p_end are at least a: the law
+///       slopes, or        beside bounded noise, whatever F and q are. A drift if its p is below a, else what the
+///       random walk       model has of slopes and walk
 ///     not resolved        as bounded, but the mean or the RMS has changed: an oscillation that all members share (a
 ///                         truncation error, say) has a significant slope between any two samples, and is no drift
 ///     drift               p of t is below a, after the transient as well if there is one
@@ -44,8 +44,8 @@ constexpr double widest_exponent_half = 0.25;  ///< a wider interval says nothin
 /// the drift's share of the final RMS, and the smallest drift that this ensemble could have seen.
 Judgement judge(Estimates const& e);
 
-/// β, τ, σ are of the full model with noise: of M ≥ 8 members at J ≥ 8 times it was chosen, and neither the course of the mean nor the
-/// spread at the end contradicts it.
+/// β, τ, σ are of the full model with noise: of M ≥ 8 members at J ≥ 8 times it was chosen, and neither the course of the
+/// mean nor the spread at the end contradicts it.
 bool noise_in_force(Estimates const& e);
 
 /// The verdict alone, and its words.

@@ -228,5 +228,12 @@ TEST_F(Csv, NoBytesCrashIt) {
   }
 }
 
+TEST_F(Csv, KeepsTheNamesOfMembers) {
+  EXPECT_THAT(read_one("time,member,error\n1,b,1\n2,b,2\n1,10,3\n2,10,4\n1,9,5\n2,9,6\n").names,
+              ElementsAre("9", "10", "b"));
+  EXPECT_THAT(read_one("time,mercury,venus\n1,1,2\n2,3,4\n").names, ElementsAre("mercury", "venus"));
+  EXPECT_TRUE(read_one("1,1,2\n2,3,4\n").names.empty());
+}
+
 }  // namespace
 }  // namespace brouwer

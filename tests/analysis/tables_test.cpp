@@ -306,5 +306,26 @@ TEST(Escaping, MakesAnyBytesHarmless) {
   EXPECT_EQ(one_line("\xC0\x80"), "\xEF\xBF\xBD\xEF\xBF\xBD");  // an overlong NUL is no UTF-8
 }
 
+TEST(GrowthTable, HasAColumnOfNoiseOnlyWhereARowHasSome) {
+  auto rows = two_methods();
+  EXPECT_THAT(render_table(rows, TableFormat::text), Not(HasSubstr("ν")));
+  rows[0].noise = {3e-15, {2.9e-15, 3.1e-15}};
+  auto const text = render_table(rows, TableFormat::text);
+  EXPECT_THAT(text, HasSubstr("noise ν"));
+  EXPECT_THAT(text, HasSubstr("(3.00 ± 0.10)e-15"));
+  EXPECT_THAT(text, HasSubstr("told apart from it by restricted maximum likelihood"));
+  EXPECT_THAT(render_table(rows, TableFormat::latex), HasSubstr("$\\nu$"));
+}
+
+TEST(GrowthTable, JsonHasAllLawsOfTheFullModel) {
+  auto rows = two_methods();
+  EXPECT_THAT(render_table(rows, TableFormat::json), HasSubstr(R"("chosen": "", "candidates": [], "p_noise": null)"));
+  rows[0].model = FullModel{{{{true, true, true}, -1.5, 1, 2, 3, 4}}};
+  EXPECT_THAT(
+      render_table(rows, TableFormat::json),
+      HasSubstr(
+          R"("chosen": "walk + slopes + noise", "candidates": [{"law": "walk + slopes + noise", "log_likelihood": -1.5, "drift": 1, "slopes": 2, "diffusion": 3, "noise": 4}])"));
+}
+
 }  // namespace
 }  // namespace brouwer

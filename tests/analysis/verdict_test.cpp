@@ -118,6 +118,53 @@ TEST(Verdict, AWalkFarBelowItsIncrementsIsNotResolved) {
   EXPECT_THAT(sentence_of(e, verdict_of(e)), HasSubstr("a bounded part"));
 }
 
+/// The law that a bounded part hides from F and the exponent, as the full model tells it.
+Estimates walk_beside_noise() {
+  auto e = walk();
+  e.samples = 8;
+  e.growth = {0.1, {0.08, 0.12}};
+  e.persistence = {0, 0.05, 1, 1e-30};
+  e.noise = {3e-15, {2.9e-15, 3.1e-15}};
+  e.model = FullModel{{{{true, false, true}}}};
+  return e;
+}
+
+TEST(Verdict, BesideBoundedNoiseIsTheFullModels) {
+  auto e = walk_beside_noise();
+  EXPECT_EQ(verdict_of(e), Verdict::random_walk);
+  EXPECT_THAT(
+      sentence_of(e, verdict_of(e)),
+      HasSubstr(
+          "told apart from bounded noise of 3.00e-15 (95 %: 2.90e-15 … 3.10e-15) by restricted maximum likelihood"));
+  e.model->candidates[0].terms.slopes = true;
+  EXPECT_EQ(verdict_of(e), Verdict::persistent_slopes);
+  EXPECT_THAT(sentence_of(e, verdict_of(e)), HasSubstr("likelihood ratio, p = "));
+  e.drift.p = 1e-9;
+  EXPECT_EQ(verdict_of(e), Verdict::drift);
+}
+
+TEST(Verdict, BesideNoiseNeedsTimesAndAModelThatNothingContradicts) {
+  auto const without = [](auto&& change) {
+    auto e = walk_beside_noise();
+    change(e);
+    return verdict_of(e);
+  };
+  EXPECT_EQ(without([](Estimates& e) { e.samples = 7; }), Verdict::not_resolved);
+  EXPECT_EQ(without([](Estimates& e) { e.members = 7; }), Verdict::not_resolved);
+  EXPECT_EQ(without([](Estimates& e) { e.model->p_course = 1e-4; }), Verdict::not_resolved);
+  EXPECT_EQ(without([](Estimates& e) { e.model->p_end = 1e-4; }), Verdict::not_resolved);
+}
+
+TEST(Verdict, ASlopeThatTheBeginningMakesIsNoDrift) {
+  auto e = walk();
+  e.drift.p = 1e-9;
+  e.transient = Transient{100, 1e-12, {1e-20, {-4e-19, 4e-19}, 0.1, 0.9, 0}};
+  EXPECT_EQ(verdict_of(e), Verdict::random_walk);
+  EXPECT_THAT(sentence_of(e, verdict_of(e)), HasSubstr("is no drift: it comes from the beginning"));
+  e.transient->after.p = 1e-5;
+  EXPECT_EQ(verdict_of(e), Verdict::drift);
+}
+
 TEST(Verdict, FewMembersSupportTestsOfSlopesButNoLawOfGrowth) {
   auto e = walk();
   e.members = 7;

@@ -1,11 +1,13 @@
-// calibrate FILE     simulates, and writes the tables into FILE (docs/statistics.md; the target `calibration`)
-// Exit status 1 if a rate that is promised is out of its bounds.
+// calibrate FILE          simulates, and writes the tables into FILE (docs/statistics.md; the target `calibration`);
+//                         exit status 1 if a rate that is promised is out of its bounds
+// calibrate --speed FILE  measures what the inference takes, and writes that table
 #include <fmt/format.h>
 
 #include <brouwer/error.hpp>
 #include <cstdio>
 
 #include "tests/calibration/document.hpp"
+#include "tests/calibration/speed.hpp"
 #include "tests/calibration/tables.hpp"
 
 namespace brouwer::calibration {
@@ -37,21 +39,25 @@ int calibrate(std::string const& file) {
   return broken.empty() ? 0 : 1;
 }
 
+int write_speed(std::string const& file) {
+  replace_part(file, "speed", speed_table());
+  return 0;
+}
+
+int run(std::vector<std::string> const& arguments) {
+  if (arguments.size() == 1) return calibrate(arguments[0]);
+  if (arguments.size() == 2 && arguments[0] == "--speed") return write_speed(arguments[1]);
+  throw InputError("expected is the file that has the tables, with or without --speed before it");
+}
+
 }  // namespace
 }  // namespace brouwer::calibration
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    fmt::print(stderr, "calibrate: one argument is expected, the file that has the tables\n");
-    return 2;
-  }
   try {
-    return brouwer::calibration::calibrate(argv[1]);
-  } catch (brouwer::InputError const& error) {
-    fmt::print(stderr, "calibrate: {}\n", error.what());
-    return 2;
+    return brouwer::calibration::run({argv + 1, argv + argc});
   } catch (std::exception const& error) {
     fmt::print(stderr, "calibrate: {}\n", error.what());
-    return 3;
+    return dynamic_cast<brouwer::InputError const*>(&error) ? 2 : 3;
   }
 }

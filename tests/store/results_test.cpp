@@ -58,6 +58,7 @@ TEST_F(UnitsInAFolder, GivesAllMembersInOrder) {
   for (auto const& unit : {sample_unit(0, 4), sample_unit(4, 2), sample_unit(9, 3)})
     expected.insert(expected.end(), unit.series[1].errors.begin(), unit.series[1].errors.end());
   ASSERT_EQ(ensemble.errors.rows(), 9);
+  EXPECT_THAT(ensemble.names, ElementsAre("0", "1", "2", "3", "4", "5", "9", "10", "11"));
   EXPECT_TRUE(same_bits({ensemble.errors.data(), ensemble.errors.data() + ensemble.errors.size()}, expected));
   EXPECT_EQ(ensemble.failed, 0);
 }
@@ -83,6 +84,7 @@ TEST_F(UnitsInAFolder, LeavesOutMembersThatFailedInThatQuantityAlone) {
   EXPECT_EQ(ensemble.errors(0, 0), errors[4]);
   EXPECT_EQ(ensemble.errors(1, 3), errors[15]);
   EXPECT_EQ(ensemble.errors(2, 0), errors[16]);
+  EXPECT_THAT(ensemble.names, ElementsAre("1", "3", "4"));
   EXPECT_EQ(results().load(0, "casimir").failed, 0);
 }
 

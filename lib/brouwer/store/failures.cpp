@@ -23,8 +23,7 @@ std::vector<Fate> fates_of(UnitRecord const& header, std::int64_t members) {
   return fates;
 }
 
-std::vector<Failures> drop_failed(ErrorMatrix& errors, std::span<Fate const> fates,
-                                  std::vector<std::string>& names) {
+std::vector<Failures> drop_failed(ErrorMatrix& errors, std::span<Fate const> fates, std::vector<std::string>& names) {
   std::vector<Failures> failures;
   Eigen::Index kept = 0;
   for (Eigen::Index member = 0; member < errors.rows(); ++member) {

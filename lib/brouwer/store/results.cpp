@@ -102,7 +102,8 @@ std::vector<Fate> fates(std::vector<Part> const& parts) {
 std::vector<std::string> names(std::vector<Part> const& parts) {
   std::vector<std::string> all;
   for (auto const& part : parts)
-    for (std::int64_t i = 0; i < part.header.members; ++i) all.push_back(std::to_string(part.unit->header.first_member + i));
+    for (std::int64_t i = 0; i < part.header.members; ++i)
+      all.push_back(std::to_string(part.unit->header.first_member + i));
   return all;
 }
 

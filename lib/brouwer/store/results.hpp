@@ -21,10 +21,10 @@ struct Ensemble {
   std::vector<double> times;  ///< increasing, > 0; in steps
   ErrorMatrix errors;         ///< members × times; every entry finite
   std::int64_t failed = 0;    ///< members left out because they failed: no next state, or an error that is not finite
-  std::string time_unit = "step";          ///< of `times`; "time unit" for ensembles of other programs
-  std::vector<Failures> failures = {};     ///< of the members left out, by reason, those of most members first
+  std::string time_unit = "step";       ///< of `times`; "time unit" for ensembles of other programs
+  std::vector<Failures> failures = {};  ///< of the members left out, by reason, those of most members first
   std::vector<std::string> names = {};  ///< of the members in the rows; where empty, row i is member i
-  bool count = false;  ///< `errors` are numbers of something (iterations per step): no law of growth
+  bool count = false;                   ///< `errors` are numbers of something (iterations per step): no law of growth
 };
 
 /// A unit's file and what stands in it beside the numbers.
