@@ -15,9 +15,8 @@ namespace {
 
 bool same_bits(BaselineEntry const& a, BaselineEntry const& b) {
   return a.study_hash == b.study_hash &&
-         std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(), [](auto const& x, auto const& y) {
-           return x.cell == y.cell && x.quantity == y.quantity && x.digest == y.digest;
-         });
+         std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(),
+                    [](auto const& x, auto const& y) { return same_place(x, y) && x.digest == y.digest; });
 }
 
 }  // namespace

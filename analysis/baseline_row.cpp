@@ -6,8 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/bridge.hpp"
 #include "analysis/distributions.hpp"
-#include "analysis/power_law.hpp"
+#include "analysis/units.hpp"
 #include "analysis/verdict.hpp"
 
 namespace brouwer {
@@ -37,17 +38,11 @@ double median(Eigen::ArrayXd numbers) {
   return n % 2 == 1 ? numbers[n / 2] : (numbers[n / 2 - 1] + numbers[n / 2]) / 2;
 }
 
-/// Σⱼ (Δⱼ − δⱼs)²/δⱼ of each member, (J−1) times its own estimate of σ².
-Eigen::ArrayXd bridges(ErrorMatrix const& errors, std::vector<double> const& times) {
-  Eigen::ArrayXd sums = Eigen::ArrayXd::Zero(errors.rows()), last = sums;
-  Eigen::ArrayXd const slopes = errors.rightCols<1>().array() / times.back();
-  double last_time = 0;
-  for (Eigen::Index j = 0; j < errors.cols(); ++j) {
-    double const delta = times[static_cast<std::size_t>(j)] - last_time;
-    sums += (errors.col(j).array() - last - delta * slopes).square() / delta;
-    last = errors.col(j).array();
-    last_time = times[static_cast<std::size_t>(j)];
-  }
+/// Of each member (J−1) times its own estimate of σ².
+Eigen::ArrayXd bridges(ErrorMatrix const& errors, Eigen::ArrayXd const& times) {
+  Eigen::ArrayXd sums(errors.rows());
+  Eigen::ArrayXd const slopes = errors.rightCols<1>().array() / times[times.size() - 1];
+  for (Eigen::Index i = 0; i < errors.rows(); ++i) sums[i] = squared_bridge(errors.row(i), times, slopes[i]);
   return sums;
 }
 
@@ -55,7 +50,7 @@ Eigen::ArrayXd bridges(ErrorMatrix const& errors, std::vector<double> const& tim
 void describe_increments(Ensemble const& ensemble, double scale, BaselineRow& row) {
   auto const samples = ensemble.errors.cols();
   if (samples < 2) return;
-  auto const mean = mean_of(bridges(scale * ensemble.errors, ensemble.times));
+  auto const mean = mean_of(bridges(scale * ensemble.errors, scaled_times(ensemble, {})));
   row.increment_size = std::sqrt(mean.value / static_cast<double>(samples - 1)) / scale;
   row.increment_log_error = mean.error / (2 * mean.value);
 }
@@ -114,6 +109,8 @@ void leave_comparison_undefined(BaselineRow& row) {
 }
 
 }  // namespace
+
+bool same_place(BaselineRow const& a, BaselineRow const& b) { return a.cell == b.cell && a.quantity == b.quantity; }
 
 BaselineRow baseline_row(Ensemble const& ensemble, Estimates const& estimates) {
   BaselineRow row = described(estimates);

@@ -37,6 +37,9 @@ struct BaselineRow {
   std::vector<double> slopes;  ///< sᵢ of at most 4096 members in their order; empty in all but a file's last entry
 };
 
+/// Are they of the same quantity of the same cell?
+bool same_place(BaselineRow const& a, BaselineRow const& b);
+
 /// The standard errors of σ and of the slopes' spread are those of means over members: whatever the increments' law or
 /// correlation, members are independent [M. B. Brown & A. B. Forsythe, J. Am. Stat. Assoc. 69 (1974) 364, for the
 /// spread]. Those of the closed form would be too small where increments are not normal.

@@ -56,14 +56,12 @@ Words line_of(BaselineEntry const& entry, R const& row, R const* before) {
   return words;
 }
 
-bool is_same_row(R const& a, R const& b) { return a.cell == b.cell && a.quantity == b.quantity; }
-
 /// One of each quantity of each cell, as they first appear.
 std::vector<R> kinds_of_rows(Baseline const& baseline) {
   std::vector<R> kinds;
   for (auto const& entry : baseline.entries)
     for (auto const& row : entry.rows)
-      if (std::none_of(kinds.begin(), kinds.end(), [&](auto const& kind) { return is_same_row(kind, row); }))
+      if (std::none_of(kinds.begin(), kinds.end(), [&](auto const& kind) { return same_place(kind, row); }))
         kinds.push_back(row);
   return kinds;
 }
@@ -73,7 +71,7 @@ std::vector<Words> lines_of(Baseline const& baseline, R const& kind) {
   R const* before = nullptr;
   for (auto const& entry : baseline.entries)
     for (auto const& row : entry.rows)
-      if (is_same_row(kind, row)) {
+      if (same_place(kind, row)) {
         lines.push_back(line_of(entry, row, before));
         before = &row;
       }

@@ -9,6 +9,7 @@
 #include "analysis/escape.hpp"
 #include "analysis/factors.hpp"
 #include "analysis/inference.hpp"
+#include "analysis/multiplicity.hpp"
 #include "analysis/numbers.hpp"
 #include "analysis/study_change.hpp"
 
@@ -52,9 +53,7 @@ struct Comparison {
 };
 
 BaselineRow const* find(std::vector<BaselineRow> const& rows, BaselineRow const& like) {
-  auto const found = std::find_if(rows.begin(), rows.end(), [&](auto const& row) {
-    return row.cell == like.cell && row.quantity == like.quantity;
-  });
+  auto const found = std::find_if(rows.begin(), rows.end(), [&](auto const& row) { return same_place(row, like); });
   return found == rows.end() ? nullptr : &*found;
 }
 
@@ -78,8 +77,8 @@ std::size_t correct(std::vector<Matched>& all) {
   std::vector<double> p;
   for (auto const& rows : all)
     for (auto const& effect : rows.effects) p.push_back(effect.p);
-  auto const adjusted = holm(p);
-  auto next = adjusted.begin();
+  auto const corrected = adjusted(p, Correction::holm);
+  auto next = corrected.begin();
   for (auto& rows : all)
     for (auto& effect : rows.effects) effect.p = *next++;
   return p.size();

@@ -32,9 +32,6 @@ struct Effect {
 /// @param paired  the members of both have the same starts, in the same order
 std::vector<Effect> effects(BaselineRow const& recorded, BaselineRow const& now, bool paired);
 
-/// Multiplies p-values so that each may be compared with the level of all together [S. Holm, Scand. J. Stat. 6 (1979) 65].
-std::vector<double> holm(std::vector<double> const& p);
-
 /// One outcome for each row that was recorded, and for each that is new: the same bits, equal within sampling error, or
 /// what has changed, by how much, and the smallest change that would have been seen. All questions of all rows are asked
 /// at the level of `levels` together. A row fails where |β|, σ or the spread of the slopes has grown, where it is no

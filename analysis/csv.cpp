@@ -13,12 +13,6 @@
 namespace brouwer {
 namespace {
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
 bool is_number(std::string_view field) {
   double value;
   return parse_number(field, value);
@@ -39,7 +33,7 @@ bool is_long_form(CsvHeader const& header) {
 CsvHeader header_of(CsvLines const& lines, std::string_view line, CsvFields const& fields) {
   CsvHeader header{{}, delimiter_of(line)};
   if (is_number(fields[0])) return header;
-  for (auto const field : fields) header.names.push_back(lower(field));
+  for (auto const field : fields) header.names.push_back(lower_case(field));
   if (fields.size() < 2)
     lines.complain(fmt::format("expected columns time, member, error (or time and one column a member), found '{}'",
                                shown(fields[0])));
@@ -89,15 +83,6 @@ void require_zero_start(CsvLines const& lines, double error) {
         fmt::format("the error at time 0 is {:g}, and errors are counted from 0 there: subtract it "
                     "(--subtract-start does), or shift the times",
                     error));
-}
-
-void require_an_ensemble(CsvLines const& lines, Ensemble const& ensemble, std::string const& of) {
-  if (ensemble.errors.rows() < 2)
-    throw InputError(
-        fmt::format("{}: one member{} only: the statistics compare members, at least 2 are needed", lines.file(), of));
-  if (ensemble.errors.cols() < 2)
-    throw InputError(fmt::format("{}: {}{}: a law of growth needs errors at 2 or more times above 0", lines.file(),
-                                 ensemble.errors.cols() == 1 ? "one sample time only" : "no sample time", of));
 }
 
 std::vector<Ensemble> read_csv(std::filesystem::path const& file, FileValues values) {

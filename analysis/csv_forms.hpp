@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/csv_lines.hpp"
+#include "analysis/foreign_ensembles.hpp"
 #include "analysis/from_start.hpp"
 
 namespace brouwer {
@@ -20,14 +21,6 @@ struct CsvHeader {
   std::optional<std::size_t> find(std::string_view name) const;
 };
 
-/// Names under which the column of times may go, the best first, and the unit they imply.
-struct TimeName {
-  char const* name;
-  char const* unit;
-};
-constexpr TimeName time_names[] = {
-    {"time", "time unit"}, {"times", "time unit"}, {"t", "time unit"}, {"steps", "step"}, {"step", "step"}};
-
 /// The finite number in a column, or a complaint with line, column and what stood there.
 double number_at(CsvLines const& lines, CsvHeader const& header, CsvFields const& fields, std::size_t column);
 
@@ -39,9 +32,6 @@ void require_fields(CsvLines const& lines, CsvFields const& fields, std::size_t 
 
 /// Complains that an error at time 0 is not zero.
 void require_zero_start(CsvLines const& lines, double error);
-
-/// Complains about a single member or a single time. @param of  "" or " of 'energy'"
-void require_an_ensemble(CsvLines const& lines, Ensemble const& ensemble, std::string const& of);
 
 /// Reads the lines behind the header.
 std::vector<Ensemble> read_long_form(CsvLines& lines, CsvHeader const& header, FileValues values);

@@ -43,7 +43,7 @@ Ensemble LongTable::finish(CsvLines const& lines) {
   fill(lines);
   ensemble_.times = times_.times();
   std::sort(ensemble_.times.begin(), ensemble_.times.end());
-  require_an_ensemble(lines, ensemble_, of());
+  require_an_ensemble(ensemble_, lines.file(), of());
   if (ensemble_.quantity.empty()) ensemble_.quantity = "error";
   ensemble_.family = ensemble_.quantity;
   return std::move(ensemble_);

@@ -90,7 +90,7 @@ Ensemble read_wide_form(CsvLines& lines, CsvHeader const& header, CsvFields firs
   auto const order = by_time(table.times);
   require_distinct(lines, table, order);
   Ensemble ensemble = sorted(table, order);
-  require_an_ensemble(lines, ensemble, "");
+  require_an_ensemble(ensemble, lines.file());
   ensemble.quantity = ensemble.family = "error";
   ensemble.time_unit = unit;
   if (!header.names.empty()) ensemble.names.assign(header.names.begin() + 1, header.names.end());

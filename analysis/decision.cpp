@@ -5,15 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/calm.hpp"
 #include "analysis/distributions.hpp"
 #include "analysis/inference.hpp"
 
 namespace brouwer {
 namespace {
-
-namespace policies = boost::math::policies;
-using Calm = policies::policy<policies::evaluation_error<policies::ignore_error>,
-                              policies::overflow_error<policies::ignore_error>, policies::promote_double<false>>;
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double surely_seen = 40;  ///< a noncentrality beyond this many critical values; Boost's law ends soon after

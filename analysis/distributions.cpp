@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/calm.hpp"
+
 namespace brouwer {
 namespace {
 
@@ -52,11 +54,7 @@ double chi_squared_quantile(double p, double dof) {
   if (!(dof >= 1)) return undefined;
   // not gsl_cdf_chisq_Pinv: GSL 2.7's fails to converge for scattered degrees of freedom (2320 at 0.975) and for all
   // large ones. Not gamma_p_inv as it stands either: it may throw where it runs out of iterations.
-  using Policy =
-      boost::math::policies::policy<boost::math::policies::evaluation_error<boost::math::policies::ignore_error>,
-                                    boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
-                                    boost::math::policies::promote_double<false>>;
-  return 2 * boost::math::gamma_p_inv(dof / 2, p, Policy());
+  return 2 * boost::math::gamma_p_inv(dof / 2, p, Calm());
 }
 
 double chi_squared_upper(double x, double dof) {

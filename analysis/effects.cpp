@@ -1,7 +1,6 @@
 // Two rows of a baseline against one another: what changed, and how sure that is.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 #include "analysis/compare_baseline.hpp"
@@ -89,20 +88,6 @@ std::vector<Effect> effects(BaselineRow const& recorded, BaselineRow const& now,
     if (std::isfinite(effect.p) && std::isfinite(effect.change)) asked.push_back(effect);
   }
   return asked;
-}
-
-std::vector<double> holm(std::vector<double> const& p) {
-  std::vector<std::size_t> order(p.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return p[a] < p[b]; });
-  std::vector<double> adjusted(p.size());
-  double largest = 0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    double const still_asked = static_cast<double>(order.size() - i);
-    largest = std::max(largest, std::min(1.0, still_asked * p[order[i]]));
-    adjusted[order[i]] = largest;
-  }
-  return adjusted;
 }
 
 }  // namespace brouwer

@@ -56,6 +56,12 @@ bool is_anonymous(Cell const& cell) { return cell.method.empty() && cell.arithme
 
 std::span<Factor const> all_factors() { return factors; }
 
+std::vector<CellLabels> cells_of(std::vector<Estimates> const& rows) {
+  std::vector<CellLabels> cells;
+  for (auto const& row : rows) cells.push_back(row.cell);
+  return cells;
+}
+
 Factors varying_factors(std::vector<CellLabels> const& cells) {
   Factors varying;
   for (auto const& factor : factors) {

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/estimates.hpp"
+
 namespace brouwer {
 
 /// A factor of a study, as people read it. Levels that say nothing (no system, no special functions) are "".
@@ -17,6 +19,9 @@ using Factors = std::vector<Factor const*>;
 
 /// system, method, arithmetic, special functions, coefficients, compensation, step, steps.
 std::span<Factor const> all_factors();
+
+/// The cell of each row.
+std::vector<CellLabels> cells_of(std::vector<Estimates> const& rows);
 
 /// The factors that take more than one level in these cells. `steps` is left out where h decides it.
 Factors varying_factors(std::vector<CellLabels> const& cells);

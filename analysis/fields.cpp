@@ -173,7 +173,7 @@ struct AsJson {
   std::string operator()(std::string const& text) const { return json_string(text); }
   std::string operator()(bool yes) const { return yes ? "true" : "false"; }
   std::string operator()(std::int64_t n) const { return fmt::format("{}", n); }
-  std::string operator()(double x) const { return std::isfinite(x) ? round_trip(x) : "null"; }
+  std::string operator()(double x) const { return json_number(x); }
   std::string operator()(Interval i) const { return fmt::format("[{}, {}]", (*this)(i.low), (*this)(i.high)); }
   std::string operator()(Members const& members) const {
     std::vector<std::string> names;

@@ -51,7 +51,8 @@ bool says_something(Column const& column, Rows const& rows) {
   return std::any_of(rows.begin(), rows.end(), column.says);
 }
 
-std::vector<CellLabels> cells_of(Rows const& rows) {
+/// Each once.
+std::vector<CellLabels> different_cells(Rows const& rows) {
   std::vector<CellLabels> cells;
   for (auto const& row : rows)
     if (std::find(cells.begin(), cells.end(), row.cell) == cells.end()) cells.push_back(row.cell);
@@ -192,13 +193,13 @@ std::vector<std::string> failures(Rows const& rows, Factors const& factors) {
 }  // namespace
 
 CellsAs best_layout(Rows const& rows) {
-  auto const cells = cells_of(rows);
+  auto const cells = different_cells(rows);
   return cells.size() > 1 && rows.size() > cells.size() ? CellsAs::groups : CellsAs::columns;
 }
 
 GrowthTable growth_table(Rows const& rows, CellsAs layout, Notation notation) {
   if (rows.empty()) return {};
-  auto const cells = cells_of(rows);
+  auto const cells = different_cells(rows);
   auto const factors = varying_factors(cells);
   GrowthTable table{shared_words(rows, cells, layout),
                     headings(rows, factors, layout, notation),

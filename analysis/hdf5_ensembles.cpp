@@ -6,10 +6,10 @@
 #include <brouwer/error.hpp>
 #include <brouwer/spelling.hpp>
 #include <brouwer/store/unit_layout.hpp>
-#include <cctype>
 #include <cmath>
 
 #include "analysis/escape.hpp"
+#include "analysis/foreign_ensembles.hpp"
 #include "analysis/hdf5_times.hpp"
 
 namespace brouwer {
@@ -42,9 +42,7 @@ Datasets matrices_in(Datasets const& datasets, std::string const& group) {
 /// Also one that says so of a quantity which nobody observed, and is empty, is none.
 bool is_called_error(Hdf5Dataset const& dataset) {
   if (dataset.extent[0] == 0 || dataset.extent[1] == 0) return false;
-  std::string path = dataset.path;
-  for (char& c : path) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return path.find("error") != std::string::npos;
+  return lower_case(dataset.path).find("error") != std::string::npos;
 }
 
 /// "energy (64 × 100), time (100)"; of many the first.
@@ -157,15 +155,6 @@ void leave_out_zero(Ensemble& ensemble, std::string const& where) {
   ensemble.times.erase(ensemble.times.begin());
 }
 
-void require_an_ensemble(Ensemble const& ensemble, std::string const& where) {
-  if (ensemble.errors.rows() < 2)
-    throw InputError(fmt::format("{}: {} only: the statistics compare members, at least 2 are needed", where,
-                                 ensemble.errors.rows() == 1 ? "one member" : "no member"));
-  if (ensemble.errors.cols() < 2)
-    throw InputError(fmt::format("{}: {}: a law of growth needs errors at 2 or more times above 0", where,
-                                 ensemble.errors.cols() == 1 ? "one sample time only" : "no sample time"));
-}
-
 Ensemble read_one(hid_t file, Datasets const& all, Hdf5Dataset const& dataset, Request const& request) {
   auto const where = fmt::format("{}: '{}'", request.file, one_line(dataset.path));
   auto const times = times_of(file, all, dataset, request.times, where);
@@ -182,13 +171,6 @@ Ensemble read_one(hid_t file, Datasets const& all, Hdf5Dataset const& dataset, R
   return ensemble;
 }
 
-/// Read only, and without HDF5's lock, which network file systems and read-only disks refuse.
-Handle open_file(std::string const& file) {
-  Handle const access(H5Pcreate(H5P_FILE_ACCESS));
-  hdf5::checked(H5Pset_file_locking(access, /*use=*/false, /*ignore_when_disabled=*/true));
-  return Handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, access));
-}
-
 }  // namespace
 
 std::vector<Ensemble> read_hdf5(std::filesystem::path const& file, std::string const& dataset, std::string const& times,
@@ -196,7 +178,7 @@ std::vector<Ensemble> read_hdf5(std::filesystem::path const& file, std::string c
   Request const request{file.string(), dataset, times, values};
   hdf5::Session const session;
   try {
-    Handle const opened = open_file(request.file);
+    Handle const opened = hdf5::open_to_read(file);
     auto const all = datasets_in(opened);
     std::vector<Ensemble> ensembles;
     for (auto const& chosen : dataset.empty() ? guessed(request, all) : named(request, all))

@@ -5,26 +5,19 @@
 #include <algorithm>
 #include <brouwer/error.hpp>
 #include <brouwer/spelling.hpp>
-#include <cctype>
 #include <optional>
 
-#include "analysis/csv_forms.hpp"
 #include "analysis/escape.hpp"
+#include "analysis/foreign_ensembles.hpp"
 
 namespace brouwer {
 namespace {
 
 using Datasets = std::vector<Hdf5Dataset>;
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
 /// The unit that a name for times implies; nothing where it is none.
 std::optional<std::string> unit_of(std::string_view path) {
-  auto const leaf = lower(leaf_of(path));
+  auto const leaf = lower_case(leaf_of(path));
   for (auto const& [name, unit] : time_names)
     if (leaf == name) return unit;
   return std::nullopt;
@@ -68,7 +61,7 @@ Hdf5Dataset const* beside(Datasets const& datasets, Hdf5Dataset const& matrix) {
   for (auto group = folder_of(matrix.path);; group = folder_of(group)) {
     for (auto const& [name, unit] : time_names)
       for (auto const& dataset : datasets)
-        if (dataset.is_vector() && folder_of(dataset.path) == group && lower(leaf_of(dataset.path)) == name)
+        if (dataset.is_vector() && folder_of(dataset.path) == group && lower_case(leaf_of(dataset.path)) == name)
           return &dataset;
     if (group.empty()) return nullptr;
   }

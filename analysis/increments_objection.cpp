@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/numbers.hpp"
+#include "analysis/phrases.hpp"
 
 namespace brouwer {
 namespace {
@@ -52,17 +53,13 @@ Settled settled(std::vector<VarianceRatio> const& scales) {
   return above;
 }
 
-std::string per_root(Estimates const& e) {
-  return e.time_unit.find(' ') == std::string::npos ? "per √" + e.time_unit : "per √(" + e.time_unit + ")";
-}
-
 /// σ̂ is made of single increments; what it is at longer scales.
 std::string where_sigma_holds(Estimates const& e) {
   auto const& scales = e.increments->variance_ratios;
   if (scales.empty() || e.members < 2) return "σ, F and their tests are made for increments that are not";
   auto const [from, log_sigma, half] = settled(scales);
   double const sigma = std::exp(log_sigma);
-  std::string const above = fmt::format("{} {}, {} times what is said", number(sigma, 2), per_root(e),
+  std::string const above = fmt::format("{}{}, {} times what is said", number(sigma, 2), per_root(e),
                                         number(sigma / e.diffusion.per_sqrt_step, 2));
   if (from + 1 == scales.end())
     return fmt::format("σ depends on the scale, also at the longest seen, {} {}s, where it is {}",

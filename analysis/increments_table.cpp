@@ -59,12 +59,6 @@ constexpr Column decisions[] = {
     {"adjusted", [](Estimates const& e) { return e.drift.p_alone ? bare_p(e.drift.p) : "–"; }},
 };
 
-std::vector<CellLabels> cells_of(Rows const& rows) {
-  std::vector<CellLabels> cells;
-  for (auto const& row : rows) cells.push_back(row.cell);
-  return cells;
-}
-
 /// A table of these columns, beside what tells the rows apart.
 template <std::size_t n>
 GrowthTable table_of(Rows const& rows, Column const (&columns)[n], CellsAs layout) {

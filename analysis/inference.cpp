@@ -7,12 +7,14 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/bridge.hpp"
 #include "analysis/distributions.hpp"
 #include "analysis/failures.hpp"
 #include "analysis/far_off.hpp"
 #include "analysis/growth.hpp"
 #include "analysis/growth_model.hpp"
 #include "analysis/increments.hpp"
+#include "analysis/student_drift.hpp"
 #include "analysis/tails.hpp"
 #include "analysis/transient.hpp"
 #include "analysis/units.hpp"
@@ -35,20 +37,6 @@ struct Sufficient {
   double standard_error() const { return std::sqrt(variance / members); }
 };
 
-/// Σⱼ (Δⱼ − δⱼs)²/δⱼ of one member: what is left of its path when the straight line to its end is taken away.
-template <class Row>
-double squared_bridge(Row const& error, Eigen::ArrayXd const& times, double slope) {
-  double sum = 0, last_error = 0, last_time = 0;
-  for (Eigen::Index j = 0; j < times.size(); ++j) {
-    double const delta = times[j] - last_time;
-    double const residual = error[j] - last_error - delta * slope;
-    sum += residual * residual / delta;
-    last_error = error[j];
-    last_time = times[j];
-  }
-  return sum;
-}
-
 Sufficient sufficient(Ensemble const& ensemble, Units const& units) {
   Eigen::ArrayXd const times = scaled_times(ensemble, units);
   auto const members = ensemble.errors.rows();
@@ -64,10 +52,7 @@ Sufficient sufficient(Ensemble const& ensemble, Units const& units) {
 }
 
 Drift drift_of(Sufficient const& s, Units const& units, Levels const& levels) {
-  double const half = student_upper_quantile((1 - levels.confidence) / 2, s.members - 1) * s.standard_error();
-  double const t = s.slope / s.standard_error();
-  return {units.rate(s.slope), units.rate(Interval{s.slope - half, s.slope + half}), t,
-          student_two_sided(t, s.members - 1), 0};
+  return units.rate(student_drift(s.slope, s.standard_error(), s.members - 1, levels.confidence));
 }
 
 Persistence persistence_of(Sufficient const& s, Units const& units) {
@@ -179,8 +164,8 @@ Estimates counted(Ensemble const& ensemble, Levels const& levels) {
   return e;
 }
 
-/// The law of growth of an ensemble, without a verdict.
-Estimates law_of(Ensemble const& ensemble, Levels const& levels) {
+/// β, τ, σ and ν of an ensemble.
+Estimates parameters_of(Ensemble const& ensemble, Levels const& levels) {
   auto const units = units_of(ensemble);
   auto const s = sufficient(ensemble, units);
   Estimates e = described(ensemble, levels);
@@ -189,23 +174,28 @@ Estimates law_of(Ensemble const& ensemble, Levels const& levels) {
   e.drift.share = e.rms_final > 0 ? std::min(1.0, std::abs(e.mean.back()) / e.rms_final) : 0;
   e.persistence = persistence_of(s, units);
   e.diffusion = diffusion_of(s, units, levels);
-  e.growth = growth_of(ensemble, levels.confidence);
   e.smallest_visible_drift = smallest_visible_drift(s, units, levels);
   use_tails(e, tails_of(ensemble, units));
   e.transient = transient_of(ensemble, units, levels);
   e.model = growth_model(ensemble, units, levels, e.tails, e.persistence.p);
   use_model(e);
+  return e;
+}
+
+/// The law of growth of an ensemble, without a verdict.
+Estimates law_of(Ensemble const& ensemble, Levels const& levels) {
+  Estimates e = parameters_of(ensemble, levels);
+  e.growth = growth_of(ensemble, levels.confidence);
   e.increments = increment_tests(ensemble, levels);
   return e;
 }
 
 /// The law of all but the members far off, if these are few; both drifts are told.
 Estimates law_beside(std::vector<Eigen::Index> const& far_off, Ensemble const& ensemble, Levels const& levels) {
-  Estimates all = law_of(ensemble, levels);
   bool const few = are_few(far_off.size(), ensemble.errors.rows());
-  FarOff const found{names_of(ensemble, far_off), few, all.drift, all.diffusion};
-  Estimates e = few ? law_of(without(ensemble, far_off), levels) : std::move(all);
-  e.far_off = found;
+  Estimates e = few ? law_of(without(ensemble, far_off), levels) : law_of(ensemble, levels);
+  Estimates const all = few ? parameters_of(ensemble, levels) : e;
+  e.far_off = {names_of(ensemble, far_off), few, all.drift, all.diffusion};
   return e;
 }
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/distributions.hpp"
+#include "analysis/student_drift.hpp"
 
 namespace brouwer {
 namespace {
@@ -69,8 +69,7 @@ class Windows {
 Drift mean_over_members(Eigen::ArrayXd const& each, Levels const& levels) {
   double const members = static_cast<double>(each.size()), mean = each[0] + (each - each[0]).mean();
   double const error = std::sqrt((each - mean).square().sum() / (members * (members - 1)));
-  double const half = student_upper_quantile((1 - levels.confidence) / 2, members - 1) * error;
-  return {mean, {mean - half, mean + half}, mean / error, student_two_sided(mean / error, members - 1), 0};
+  return student_drift(mean, error, members - 1, levels.confidence);
 }
 
 double root(double square) { return std::sqrt(std::max(square, 0.0)); }

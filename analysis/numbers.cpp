@@ -75,6 +75,8 @@ std::string probability(double p) { return p < 1e-300 ? "p < 1e-300" : "p = " + 
 
 std::string round_trip(double x) { return fmt::format("{:.17g}", x); }
 
+std::string json_number(double x) { return std::isfinite(x) ? round_trip(x) : "null"; }
+
 std::size_t display_width(std::string const& text) {
   auto const between = [](unsigned c, unsigned low, unsigned high) { return c >= low && c <= high; };
   std::size_t width = 0;

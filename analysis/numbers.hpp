@@ -20,6 +20,9 @@ std::string probability(double p);
 /// 17 significant digits: read back, it is the same double. "nan" and "inf" where it is none.
 std::string round_trip(double x);
 
+/// The same for JSON, which has no number that is none: null.
+std::string json_number(double x);
+
 /// How many columns of a terminal a UTF-8 text fills.
 std::size_t display_width(std::string const& text);
 

@@ -14,6 +14,7 @@
 #include "analysis/growth_table.hpp"
 #include "analysis/increments_table.hpp"
 #include "analysis/numbers.hpp"
+#include "analysis/tables.hpp"
 #include "analysis/verdict.hpp"
 
 namespace brouwer {
@@ -117,12 +118,6 @@ std::string carrying_value(Estimates const& e) {
   return std::isnan(e.growth.exponent) ? number(e.growth.exponent, 3) : exponent;
 }
 
-std::vector<CellLabels> cells_of(std::vector<Estimates> const& rows) {
-  std::vector<CellLabels> cells;
-  for (auto const& estimates : rows) cells.push_back(estimates.cell);
-  return cells;
-}
-
 std::string measured_table(std::vector<Estimates> const& rows) {
   auto const varying = varying_factors(cells_of(rows));
   auto text = row({"error of", "cell", "RMS at the end", "what the verdict rests on", "verdict"}) +
@@ -148,20 +143,9 @@ std::string measurements(std::vector<Estimates> const& rows) {
 std::string increments(std::vector<Estimates> const& rows) {
   auto const table = increments_table(rows, CellsAs::columns);
   if (table.rows.empty()) return "";
-  Words heads, rule;
-  for (auto const& heading : table.headings) {
-    heads.push_back(markdown_text(heading.text));
-    rule.push_back(heading.left ? ":---" : "---:");
-  }
-  std::string text = row(heads) + fmt::format("|{}|\n", fmt::join(rule, "|"));
-  for (auto const& line : table.rows) {
-    Words cells;
-    for (auto const& word : line.words) cells.push_back(markdown_text(word));
-    text += row(cells);
-  }
   std::string legend;
   for (auto const& line : table.legend) legend += "- " + markdown_text(line) + "\n";
-  return folded("Increments", paragraph(text) + legend);
+  return folded("Increments", paragraph(markdown_rows(table)) + legend);
 }
 
 // --- expectations and figures ---------------------------------------------------------------------

@@ -7,12 +7,10 @@
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 
+#include "analysis/calm.hpp"
+
 namespace brouwer {
 namespace {
-
-namespace policies = boost::math::policies;
-using Calm = policies::policy<policies::evaluation_error<policies::ignore_error>,
-                              policies::overflow_error<policies::ignore_error>, policies::promote_double<false>>;
 
 constexpr double nearly_zero = 1e-6;  ///< what rounding leaves of cumulants that cancel
 

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "analysis/escape.hpp"
 #include "analysis/factors.hpp"
 #include "analysis/numbers.hpp"
@@ -19,19 +17,18 @@ class Object {
   }
   Object& text(char const* key, std::string const& value) { return add(key, json_string(value)); }
   Object& whole(char const* key, std::int64_t value) { return add(key, fmt::format("{}", value)); }
-  Object& real(char const* key, double value) { return add(key, real_of(value)); }
+  Object& real(char const* key, double value) { return add(key, json_number(value)); }
   Object& interval(char const* key, Interval const& value) {
-    return add(key, fmt::format("[{}, {}]", real_of(value.low), real_of(value.high)));
+    return add(key, fmt::format("[{}, {}]", json_number(value.low), json_number(value.high)));
   }
   Object& list(char const* key, std::vector<double> const& values) {
     std::vector<std::string> texts;
-    for (double const value : values) texts.push_back(real_of(value));
+    for (double const value : values) texts.push_back(json_number(value));
     return add(key, fmt::format("[{}]", fmt::join(texts, ", ")));
   }
   std::string json() const { return fmt::format("{{{}}}", fmt::join(pairs_, ", ")); }
 
  private:
-  static std::string real_of(double x) { return std::isfinite(x) ? round_trip(x) : "null"; }
   std::vector<std::string> pairs_;
 };
 

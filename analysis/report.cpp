@@ -53,12 +53,6 @@ std::string page_header(ReportContent const& content) {
 
 // --- verdicts and expectations --------------------------------------------------------------------
 
-std::vector<CellLabels> cells_of(std::vector<Estimates> const& rows) {
-  std::vector<CellLabels> cells;
-  for (auto const& row : rows) cells.push_back(row.cell);
-  return cells;
-}
-
 /// A word that becomes a class of the style sheet: "random walk" → "random-walk".
 std::string class_of(Verdict verdict) {
   std::string name = to_string(verdict);

@@ -64,19 +64,10 @@ std::string text_table(std::vector<Estimates> const& rows) {
 
 std::string markdown_table(std::vector<Estimates> const& rows) {
   auto const table = growth_table(rows, CellsAs::columns);
-  std::string head, rule, body;
-  for (auto const& heading : table.headings) {
-    head += "| " + heading.text + ' ';
-    rule += heading.left ? "|:---" : "|---:";
-  }
-  for (auto const& row : table.rows) {
-    for (auto const& word : row.words) body += "| " + markdown_text(word) + ' ';
-    body += "|\n";
-  }
   std::string const shared = table.shared.empty() ? "" : markdown_text(table.shared) + "\n\n";
   Words notes;
   for (auto const& note : table.notes) notes.push_back(markdown_text(note));
-  return shared + head + "|\n" + rule + "|\n" + body + '\n' + joined(notes, "- ") + joined(table.legend, "- ");
+  return shared + markdown_rows(table) + '\n' + joined(notes, "- ") + joined(table.legend, "- ");
 }
 
 /// A number comes in LaTeX's notation already; words do not.
@@ -130,6 +121,19 @@ TableFormat table_format(std::string const& name) {
     names.emplace_back(layout.name);
   }
   throw InputError(fmt::format("there is no table format '{}'{}", one_line(name), suggestion(name, names)));
+}
+
+std::string markdown_rows(GrowthTable const& table) {
+  std::string head, rule, body;
+  for (auto const& heading : table.headings) {
+    head += "| " + heading.text + ' ';
+    rule += heading.left ? "|:---" : "|---:";
+  }
+  for (auto const& row : table.rows) {
+    for (auto const& word : row.words) body += "| " + markdown_text(word) + ' ';
+    body += "|\n";
+  }
+  return head + "|\n" + rule + "|\n" + body;
 }
 
 std::string render_table(std::vector<Estimates> const& rows, TableFormat format) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "analysis/estimates.hpp"
+#include "analysis/growth_table.hpp"
 
 namespace brouwer {
 
@@ -16,5 +17,8 @@ TableFormat table_format(std::string const& name);
 /// 17 significant digits. json: an array of rows; a number that is not finite is null there, nan or inf in csv.
 /// latex: a `tabular` that needs the package booktabs (and \usepackage[T1]{fontenc} for names with odd characters).
 std::string render_table(std::vector<Estimates> const& rows, TableFormat format);
+
+/// Headings and rows in Markdown, without what stands above and below them.
+std::string markdown_rows(GrowthTable const& table);
 
 }  // namespace brouwer

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/distributions.hpp"
+#include "analysis/student_drift.hpp"
 
 namespace brouwer {
 namespace {
@@ -18,8 +18,7 @@ struct Sample {
   double standard_error() const {
     return std::sqrt((values - values.mean()).square().sum() / (members() - 1) / members());
   }
-  double t() const { return values.mean() / standard_error(); }
-  double p() const { return student_two_sided(t(), members() - 1); }
+  double p() const { return student_two_sided(values.mean() / standard_error(), members() - 1); }
 };
 
 class Course {
@@ -65,9 +64,7 @@ Eigen::Index settled(Course const& course, Eigen::Index bent, Eigen::Index strai
 }
 
 Drift drift_of(Sample const& slopes, Units const& units, double confidence) {
-  double const half = slopes.standard_error() * student_upper_quantile((1 - confidence) / 2, slopes.members() - 1);
-  double const slope = slopes.values.mean();
-  return {units.rate(slope), units.rate(Interval{slope - half, slope + half}), slopes.t(), slopes.p(), 0};
+  return units.rate(student_drift(slopes.values.mean(), slopes.standard_error(), slopes.members() - 1, confidence));
 }
 
 }  // namespace

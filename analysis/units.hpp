@@ -17,6 +17,7 @@ struct Units {
   double sqrt_rate(double scaled) const { return scaled * std::sqrt(time) / error; }
   Interval size(Interval i) const { return {size(i.low), size(i.high)}; }
   Interval rate(Interval i) const { return {rate(i.low), rate(i.high)}; }
+  Drift rate(Drift d) const { return {rate(d.per_step), rate(d.interval), d.t, d.p, d.share}; }
   Interval sqrt_rate(Interval i) const { return {sqrt_rate(i.low), sqrt_rate(i.high)}; }
 };
 

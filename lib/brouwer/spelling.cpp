@@ -29,6 +29,12 @@ std::string folded(std::string text) {
 
 }  // namespace
 
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
 bool contains(std::vector<std::string> const& words, std::string const& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }

@@ -19,12 +19,6 @@
 namespace brouwer {
 namespace {
 
-std::vector<CellLabels> cells_of(std::vector<Estimates> const& rows) {
-  std::vector<CellLabels> cells;
-  for (auto const& row : rows) cells.push_back(row.cell);
-  return cells;
-}
-
 std::string unfinished_part(Results const& results) {
   std::int64_t finished = 0;
   for (std::size_t cell = 0; cell < results.cells(); ++cell) finished += results.finished_members(cell);

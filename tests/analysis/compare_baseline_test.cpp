@@ -253,9 +253,9 @@ TEST(Comparison, RefusesAnotherStudy) {
 }
 
 TEST(Holm, MultipliesTheSmallestByAllAndNeverDecreases) {
-  EXPECT_THAT(holm({0.01, 0.5, 0.02}), ElementsAre(0.03, 0.5, 0.04));
-  EXPECT_THAT(holm({0.02, 0.011}), ElementsAre(0.022, 0.022));
-  EXPECT_THAT(holm({}), ElementsAre());
+  EXPECT_THAT(adjusted({0.01, 0.5, 0.02}, Correction::holm), ElementsAre(0.03, 0.5, 0.04));
+  EXPECT_THAT(adjusted({0.02, 0.011}, Correction::holm), ElementsAre(0.022, 0.022));
+  EXPECT_THAT(adjusted({}, Correction::holm), ElementsAre());
 }
 
 }  // namespace

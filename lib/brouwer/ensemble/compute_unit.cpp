@@ -2,22 +2,15 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 
 #include <brouwer/ensemble/observer.hpp>
+#include <brouwer/ensemble/processor_time.hpp>
 #include <brouwer/ensemble/reference.hpp>
 #include <brouwer/ensemble/run.hpp>
 #include <brouwer/ensemble/start.hpp>
 
 namespace brouwer {
 namespace {
-
-/// Of this thread.
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// What is told to the outside while a unit runs.
 class Watch {

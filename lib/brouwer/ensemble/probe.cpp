@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
-#include <exception>
 #include <map>
 
+#include <brouwer/ensemble/first_failure.hpp>
 #include <brouwer/ensemble/observer.hpp>
+#include <brouwer/ensemble/processor_time.hpp>
 #include <brouwer/ensemble/reference.hpp>
 #include <brouwer/ensemble/start.hpp>
 #include <brouwer/error.hpp>
@@ -22,12 +22,6 @@ namespace {
 /// Members that walk side by side: a pack of each instruction set, and little enough for threads to share the work.
 constexpr std::int64_t block_size = 16;
 constexpr std::int64_t least_length = 4;
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// A window of one member, and what was seen in it.
 struct Window {
@@ -259,7 +253,7 @@ class CellProbe {
 /// All members, over threads. @return processor seconds
 double walk_all(CellProbe& cell_probe, ProbeDesign const& design, RunOptions const& options) {
   double seconds = 0;
-  std::exception_ptr failure;
+  FirstFailure failure;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads_of(options)) reduction(+ : seconds)
   for (std::int64_t first = 0; first < design.members; first += block_size) {
     try {
@@ -267,11 +261,10 @@ double walk_all(CellProbe& cell_probe, ProbeDesign const& design, RunOptions con
       cell_probe.walk(first);
       seconds += processor_seconds() - begin;
     } catch (...) {
-#pragma omp critical
-      failure = std::current_exception();
+      failure.keep_current();
     }
   }
-  if (failure) std::rethrow_exception(failure);
+  failure.rethrow();
   return seconds;
 }
 

@@ -3,9 +3,8 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <exception>
-#include <mutex>
 
+#include <brouwer/ensemble/first_failure.hpp>
 #include <brouwer/ensemble/reference.hpp>
 #include <brouwer/error.hpp>
 #include <brouwer/store/file.hpp>
@@ -32,25 +31,6 @@ std::int64_t work_of(Study const& study, Catalogue const& catalogue, Plan const&
   bool const companion = study.reference.kind == Reference::Kind::same_method && needs_reference(study, catalogue);
   return plan.cells[unit.cell].steps * (unit.members + (companion ? compared_members(study, unit) : 0));
 }
-
-/// The first failure of any thread, rethrown when all have left.
-class FirstFailure {
- public:
-  void keep_current() {
-    std::lock_guard const lock(mutex_);
-    if (!failure_) failure_ = std::current_exception();
-    seen_ = true;
-  }
-  bool seen() const { return seen_; }
-  void rethrow() const {
-    if (failure_) std::rethrow_exception(failure_);
-  }
-
- private:
-  std::mutex mutex_;
-  std::exception_ptr failure_;
-  std::atomic<bool> seen_ = false;
-};
 
 }  // namespace
 

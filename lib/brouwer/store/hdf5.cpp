@@ -171,6 +171,12 @@ Handle create(hid_t group, std::string const& name, std::vector<std::string> con
   return make(group, name, {texts.size()}, type, type, packed.data(), packed.size());
 }
 
+Handle open_to_read(std::filesystem::path const& file) {
+  Handle const access(H5Pcreate(H5P_FILE_ACCESS));
+  checked(H5Pset_file_locking(access, /*use=*/false, /*ignore_when_disabled=*/true));
+  return Handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, access));
+}
+
 Handle open(hid_t group, std::string const& name) { return Handle(H5Dopen2(group, name.c_str(), H5P_DEFAULT)); }
 
 Extent extent(hid_t dataset) {

@@ -3,6 +3,7 @@
 // exceptions, and the few kinds of attributes and data sets that a unit file is made of.
 #include <bit>
 #include <cstdint>
+#include <filesystem>
 #include <hdf5.h>
 #include <mutex>
 #include <span>
@@ -56,6 +57,9 @@ class Handle {
  private:
   hid_t id_;
 };
+
+/// A file, read only and without HDF5's lock, which network file systems and read-only disks refuse.
+Handle open_to_read(std::filesystem::path const& file);
 
 // --- attributes: one text or one number ----------------------------------------------------------
 void set(hid_t object, char const* name, std::string const& text);

@@ -14,11 +14,8 @@ using hdf5::checked;
 using hdf5::Failure;
 using hdf5::Handle;
 
-/// Read only, and without HDF5's lock, which network file systems and read-only disks refuse.
 Handle open_file(std::filesystem::path const& file) {
-  Handle const access(H5Pcreate(H5P_FILE_ACCESS));
-  checked(H5Pset_file_locking(access, /*use=*/false, /*ignore_when_disabled=*/true));
-  Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, access));
+  Handle opened = hdf5::open_to_read(file);
   if (hdf5::text(opened, "format") != unit_layout::format) throw Failure("it is no unit file");
   if (hdf5::integer(opened, "format_version") != unit_layout::version)
     throw Failure("its format is of another version");
