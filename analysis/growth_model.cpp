@@ -77,17 +77,27 @@ double p_between(Fits const& fits, LawTerms const& smaller, LawTerms const& larg
   return yardstick.p(fits[place_of(smaller)].deviance - fits[place_of(larger)].deviance);
 }
 
-/// @param p_signs  of slopes, beside a walk
-LawTerms choose(Fits const& fits, double level, double p_signs, Yardstick const& yardstick, FullModel& model) {
+/// Beside noise a few late samples of a walk look like slopes, and either may do without the other: slopes are called
+/// so where they are needed beside a walk; what grows otherwise is a walk.
+/// @param p_signs  of slopes, where they and the walk are both needed
+LawTerms choose_beside_noise(Fits const& fits, double level, double p_signs, Yardstick const& yardstick,
+                             FullModel& model) {
   LawTerms terms{true, true, true};
-  model.p_noise = p_between(fits, {true, true, false}, terms, yardstick);
-  terms.noise = model.p_noise < level;
-  model.p_walk = terms.noise ? p_between(fits, {false, true, true}, terms, yardstick) : 0;
-  terms.walk = model.p_walk < level;
-  if (terms.noise) model.p_slopes = p_between(fits, {terms.walk, false, true}, {terms.walk, true, true}, yardstick);
-  if (terms.noise && terms.walk) model.p_slopes = std::max(model.p_slopes, p_signs);
+  model.p_walk = p_between(fits, {false, true, true}, terms, yardstick);
+  model.p_slopes = p_between(fits, {true, false, true}, terms, yardstick);
+  if (model.p_walk < level) model.p_slopes = std::max(model.p_slopes, p_signs);
   terms.slopes = model.p_slopes < level;
+  if (!terms.slopes) model.p_walk = p_between(fits, {false, false, true}, {true, false, true}, yardstick);
+  terms.walk = model.p_walk < level;
   return terms;
+}
+
+/// model.p_slopes is that of F, which decides where there is no noise.
+LawTerms choose(Fits const& fits, double level, double p_signs, Yardstick const& yardstick, FullModel& model) {
+  model.p_noise = p_between(fits, {true, true, false}, {true, true, true}, yardstick);
+  if (model.p_noise < level) return choose_beside_noise(fits, level, p_signs, yardstick, model);
+  model.p_walk = 0;
+  return {true, model.p_slopes < level, false};
 }
 
 /// Of the mean's course against the rest of the members.

@@ -14,9 +14,11 @@ namespace brouwer {
 /// (1987) 605]:
 ///
 ///     noise    walk + slopes + noise against walk + slopes
-///     walk     if there is noise: the same against noise + slopes
-///     slopes   if there is noise: the chosen one against itself without, and beside a walk its signs (doubling_signs_p)
-///              must agree; without noise: the F test, whose p is given
+///     slopes   if there is noise: the same against walk + noise, and where the walk is needed as well (against noise +
+///              slopes) the signs (doubling_signs_p) must agree; without noise: the F test, whose p is given
+///     walk     if there is noise: needed beside slopes if there are such, otherwise walk + noise against noise
+///
+/// (Slopes are never held against noise alone: of few late samples above noise a walk looks like slopes.)
 ///
 /// Where the tails are not normal (tails.hpp), 2Δ is divided by max(1, dispersion, 1 + kurtosis/2), which is how much
 /// more uncertain variances are, and √2Δ held against t(M−1) in place of the normal law. Measured (8, 16, 64, 256

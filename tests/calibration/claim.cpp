@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/decision.hpp"
+
 namespace brouwer::calibration {
 namespace {
 
@@ -45,8 +47,14 @@ Answer noise_chosen(Trial const& t) {
 Answer slopes_chosen(Trial const& t) {
   return of_model(t, [](FullModel const& m) { return m.law().terms.slopes; });
 }
-Answer walk_chosen(Trial const& t) {
-  return of_model(t, [](FullModel const& m) { return m.law().terms.walk; });
+/// Asked only where noise was found: without it there always is a walk.
+Answer walk_beside_noise(Trial const& t) {
+  if (!t.estimates.model || !t.estimates.model->law().terms.noise) return {};
+  return t.estimates.model->law().terms.walk;
+}
+Answer slopes_beside_noise(Trial const& t) {
+  if (!t.estimates.model || !t.estimates.model->law().terms.noise) return {};
+  return t.estimates.model->law().terms.slopes;
 }
 Answer course_at_5(Trial const& t) {
   return of_model(t, [](FullModel const& m) { return m.p_course < 0.05; });
@@ -73,6 +81,8 @@ Answer not_normal_at_5(Trial const& t) {
 
 Answer transient_found(Trial const& t) { return t.estimates.transient.has_value(); }
 Answer members_far_off(Trial const& t) { return !t.estimates.far_off.members.empty(); }
+/// Two one-sided tests at the drift that there is: |β| < δ is then wrong.
+Answer proven_small(Trial const& t) { return equivalence(t.estimates, std::abs(t.truth.drift), 0.05).p < 0.05; }
 Answer called_drift(Trial const& t) { return t.estimates.verdict == Verdict::drift; }
 Answer called_walk(Trial const& t) { return t.estimates.verdict == Verdict::random_walk; }
 
@@ -93,6 +103,7 @@ Names const noisy = {"noise", "all"};
 Names const normal = brownian + correlated + noisy + Names{"slopes", "bounded"};
 Names const uncorrelated = brownian_or_slopes + heavy;
 Names const gaussian = brownian_or_slopes + correlated;
+Names const drifting = {"drift", "visible drift", "strong drift", "all"};
 Names const no_drift = Names{"walk", "slopes", "noise", "bounded"} + correlated + heavy + shared;
 Names const no_slopes = brownian + Names{"noise"} + correlated + heavy + shared;
 Names const no_noise = brownian_or_slopes + correlated + heavy + shared;
@@ -103,7 +114,7 @@ constexpr Nominal covered{0.95, 0, Side::coverage};
 constexpr Nominal nearly_covered{0.95, 0.025, Side::coverage};  // approximations, as their docstrings say
 constexpr Nominal at_5{0.05, 0, Side::false_alarm};
 constexpr Nominal at_01{0.001, 0, Side::false_alarm};
-constexpr Nominal at_half{0.005, 0, Side::false_alarm};
+constexpr Nominal at_1{0.01, 0.003, Side::false_alarm};  // two bounds, each of half of it
 constexpr Nominal visible{0.9, 0.003, Side::power};
 constexpr Nominal told{};
 
@@ -111,27 +122,29 @@ std::vector<Claim> const all = {
     {"95 % interval of β", covered, beta, {}, normal},
     {"95 % interval of σ", covered, sigma, {}, brownian_or_slopes},
     {"95 % interval of τ", nearly_covered, tau, {}, brownian_or_slopes, 8},
-    {"95 % interval of ν, where noise is found", nearly_covered, nu, {}, noisy + Names{"bounded"}, 8},
+    {"95 % interval of ν, where noise is found", nearly_covered, nu, noisy + Names{"bounded"}, noisy + Names{"bounded"},
+     8, 16},
     {"95 % interval of q", nearly_covered, q, {}, {"walk", "bounded", "sweep"}, 4},
     {"95 % interval of p in a sweep", nearly_covered, p_of_sweep, {}, {"sweep"}, 4},
     {"95 % interval of q in a sweep", nearly_covered, q_of_sweep, {}, {"sweep"}, 4},
     {"drift where there is none, p < 0.05", at_5, drift_at_5, no_drift, normal},
-    {"drift where there is none, p < 0.001", at_01, drift_at_01, no_drift, normal, 2, true},
+    {"drift where there is none, p < 0.001", at_01, drift_at_01, no_drift, normal, 2, 2, true},
     {"slopes where there are none, p < 0.05", at_5, slopes_at_5, no_slopes, brownian},
-    {"slopes where there are none, p < 0.001", at_01, slopes_at_01, no_slopes, brownian, 2, true},
+    {"slopes where there are none, p < 0.001", at_01, slopes_at_01, no_slopes, brownian, 2, 2, true},
     {"F too small for a walk, p < 0.05", at_5, low_F_at_5, no_slopes, brownian},
-    {"noise chosen where there is none", at_01, noise_chosen, no_noise, brownian_or_slopes, 2, true},
-    {"slopes chosen beside noise where there are none", at_01, slopes_chosen, {"noise", "bounded"}, {"noise"}, 8},
-    {"walk chosen where there is only noise", at_01, walk_chosen, {"bounded"}, {"bounded"}, 8},
+    {"noise chosen where there is none", at_01, noise_chosen, no_noise, brownian_or_slopes, 2, 2, true},
+    {"slopes found beside noise where there are none", at_01, slopes_beside_noise, {"noise", "bounded"}, {"noise"}, 8},
+    {"a walk found beside noise where there is none", at_01, walk_beside_noise, {"bounded"}, {"bounded"}, 8},
     {"mean of the members not straight, p < 0.05", at_5, course_at_5, normal + heavy, brownian_or_slopes},
     {"spread at the end not the law's, p < 0.05", at_5, end_at_5, normal + heavy, {}},
     {"increments correlated where they are not, p < 0.05", at_5, correlated_at_5, uncorrelated, brownian_or_slopes},
     {"variance ratios not 1 where they are, p < 0.05", at_5, ratio_at_5, uncorrelated, brownian_or_slopes},
     {"increments not normal where they are, p < 0.05", at_5, not_normal_at_5, gaussian, brownian_or_slopes},
-    {"members called far off, none is", at_half, members_far_off, normal + Names{"t(5)", "t(3)", "skewed", "unequal"},
-     brownian + Names{"t(5)"}, 2, true},
-    {"transient found where there is none", at_01, transient_found, normal + heavy, normal, 2, true},
-    {"verdict 'drift' where there is none", at_01, called_drift, no_drift, {"walk", "slopes", "noise"}, 2, true},
+    {"members called far off, none is", at_1, members_far_off, normal + Names{"t(5)", "t(3)", "skewed", "unequal"},
+     brownian + Names{"t(5)"}, 64},
+    {"transient found where there is none", at_01, transient_found, normal + heavy, normal, 2, 2, true},
+    {"|β| < δ proven where β = δ, p < 0.05", at_5, proven_small, drifting, drifting},
+    {"verdict 'drift' where there is none", at_01, called_drift, no_drift, {"walk", "slopes", "noise"}, 2, 2, true},
     {"the smallest visible drift is seen, p < 0.001", visible, drift_at_01, {"visible drift"}, {"visible drift"}},
     {"power: noise is chosen", told, noise_chosen, noisy + Names{"bounded"}, {}},
     {"power: slopes are chosen", told, slopes_chosen, {"slopes", "all"}, {}},
@@ -156,7 +169,8 @@ bool is_asked(Claim const& claim, Model const& model) {
 }
 
 bool is_promised(Claim const& claim, Model const& model, Design const& design) {
-  return contains(claim.promised_for, model) && design.members >= claim.fewest_members;
+  return contains(claim.promised_for, model) && design.members >= claim.fewest_members &&
+         design.samples >= claim.fewest_samples;
 }
 
 }  // namespace brouwer::calibration

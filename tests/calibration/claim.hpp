@@ -17,6 +17,7 @@ struct Claim {
   std::vector<std::string> asked_of;           ///< models; empty: all that have the truth
   std::vector<std::string> promised_for;       ///< of other models the rate is told, and nothing promised
   int fewest_members = 2;                      ///< of the promise
+  int fewest_samples = 2;                      ///< of the promise
   bool strict = false;                         ///< at the level 0.001: worth a table row in a design of many trials
 };
 
