@@ -25,6 +25,9 @@ Study shortened(Study study, CellLabels const& cell, std::int64_t steps) {
   study.coefficients.clear();
   if (cell.coefficients != no_level) study.coefficients = {cell.coefficients};
   study.compensation = {cell.compensation};
+  study.rounding = {cell.rounding};
+  study.constants = {cell.constants};
+  study.contraction = {cell.contraction};
   study.step = {cell.step};
   study.until.reset();
   study.steps = steps;
