@@ -21,8 +21,9 @@ namespace brouwer {
 ///              as std::fma would; of two products the left one's. Every other use, and the end of a step, drops it.
 ///              Negation keeps it. (Products below 2⁻⁹⁶⁹, 2⁻¹⁰² in float, are rounded by themselves.)
 /// Error-free transformations run by the same rule: they are not error-free where it is not rounding to nearest, as on
-/// hardware that rounds so. Zeros have the sign of rounding to nearest. Products, sums and quotients of two constants
-/// within a step may be misrounded with chance 2⁻⁵⁰; with one constant at most they are rounded correctly.
+/// hardware that rounds so. Zeros have the sign of rounding to nearest. With one
+/// constant at most, sums and products are rounded correctly; what is known of quotients and roots with a constant, and of
+/// operations on two, is 2⁻¹⁰⁴ of the result (2⁻⁴⁶ in float): one that is nearer to a tie may be misrounded.
 ///
 /// Numbers only, no packs: the random numbers that a lane takes would depend on how long the others iterate.
 template <class T>
@@ -162,7 +163,7 @@ class Modelled {
           },
           a.value_, b.value_);
     T const remainder = std::fma(-value, b.value_, a.value_);
-    return corrected(value, T((remainder + (a_tail - value * b_tail)) / b.value_));
+    return corrected(value, T((remainder + (a_tail - value * b_tail)) / b.value_), a_tail != 0 || b_tail != 0);
   }
 
   static Modelled root(Modelled const& a) {
@@ -173,12 +174,12 @@ class Modelled {
     if (!exact_error_exists(a.value_))
       return detail::chosen_in_binary128(
           value, [&](Float128 const& x) { return Float128(sqrt(Float128(x + Float128(a_tail)))); }, a.value_);
-    return corrected(value, T((std::fma(-value, value, a.value_) + a_tail) / (value + value)));
+    return corrected(value, T((std::fma(-value, value, a.value_) + a_tail) / (value + value)), a_tail != 0);
   }
 
   /// value + error, where tails may have moved the nearest number.
-  static Modelled corrected(T const& value, T const& error) {
-    auto const exact = fast_two_sum(value, error);
+  static Modelled corrected(T const& value, T const& error, bool tails) {
+    auto const exact = tails ? fast_two_sum(value, error) : Exact<T>{value, error};
     return detail::chosen(exact.value, exact.error);
   }
 
