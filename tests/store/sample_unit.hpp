@@ -43,7 +43,8 @@ inline std::vector<double> distinct_numbers(std::size_t count, double scale) {
 
 /// No method has all of these; the store does not ask.
 inline CellLabels sample_cell() {
-  return {"rigid_body", "elliptic-naive", "double", "own", "per-trajectory", true, 0.1 + 0.2, 1000};
+  return {"rigid_body", "elliptic-naive", "double", "own", "per-trajectory", true, 0.1 + 0.2,
+          1000,         "stochastic",     "exact",  true};
 }
 
 /// `members` members from `first`, of which the first three at most are compared with a reference.
