@@ -82,10 +82,10 @@ inline UnitRecord full_unit(std::int64_t first = 64) {
 }
 
 /// Makes a unit as it was written before the factor `coefficients`.
-inline void forget_coefficients(std::filesystem::path const& file) {
+inline void forget(std::filesystem::path const& file, std::vector<char const*> const& labels) {
   hdf5::Session const session;
   hdf5::Handle const opened(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT));
-  hdf5::checked(H5Adelete(opened, "coefficients"));
+  for (auto const* label : labels) hdf5::checked(H5Adelete(opened, label));
 }
 
 inline bool same_bits(std::vector<double> const& a, std::vector<double> const& b) {
