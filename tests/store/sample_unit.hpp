@@ -81,7 +81,7 @@ inline UnitRecord full_unit(std::int64_t first = 64) {
   return unit;
 }
 
-/// Makes a unit as it was written before the factor `coefficients`.
+/// Makes a unit as it was written before these labels.
 inline void forget(std::filesystem::path const& file, std::vector<char const*> const& labels) {
   hdf5::Session const session;
   hdf5::Handle const opened(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT));
