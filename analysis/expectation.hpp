@@ -13,7 +13,8 @@ namespace brouwer {
 struct Selector {
   // "= {}" lets {.method = "dmv-2"} be written without a warning for the rest
   std::optional<std::string> method = {}, arithmetic = {}, special_functions = {}, coefficients = {};
-  std::optional<bool> compensation = {};
+  std::optional<std::string> rounding = {}, constants = {};
+  std::optional<bool> compensation = {}, contraction = {};
   std::optional<double> step = {};
   std::optional<Interval> step_range = {};  ///< low ≤ h ≤ high
   bool matches(CellLabels const& cell) const;

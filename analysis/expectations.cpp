@@ -44,6 +44,9 @@ std::string in_words(Selector const& where) {
   if (where.special_functions) add("special functions", *where.special_functions);
   if (where.coefficients) add("coefficients", *where.coefficients);
   if (where.compensation) add("compensation", *where.compensation ? "true" : "false");
+  if (where.rounding) add("rounding", *where.rounding);
+  if (where.constants) add("constants", *where.constants);
+  if (where.contraction) add("contraction", *where.contraction ? "true" : "false");
   if (where.step) add("step", fmt::format("{}", *where.step));
   if (where.step_range) add("step", in_words(*where.step_range));
   return words;
@@ -163,7 +166,8 @@ bool speaks_of(Expectation const& expectation, Estimates const& row) {
 bool Selector::matches(CellLabels const& cell) const {
   auto const is = [](auto const& wanted, auto const& level) { return !wanted || *wanted == level; };
   return is(method, cell.method) && is(arithmetic, cell.arithmetic) && is(special_functions, cell.special_functions) &&
-         is(coefficients, cell.coefficients) && is(compensation, cell.compensation) && is(step, cell.step) &&
+         is(coefficients, cell.coefficients) && is(compensation, cell.compensation) && is(rounding, cell.rounding) &&
+         is(constants, cell.constants) && is(contraction, cell.contraction) && is(step, cell.step) &&
          (!step_range || (step_range->low <= cell.step && cell.step <= step_range->high));
 }
 

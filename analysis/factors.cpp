@@ -21,6 +21,12 @@ std::string step(Cell const& c) { return c.step > 0 ? fmt::format("{}", c.step) 
 std::string sum(Cell const& c) { return c.steps == 0 ? "" : c.compensation ? "compensated" : "plain"; }
 std::string steps(Cell const& c) { return c.steps > 0 ? fmt::format("{}", c.steps) : ""; }
 
+/// The standard is not worth words: nothing is known of how the ensembles of other programs were computed.
+std::string rounding(Cell const& c) {
+  if (c.rounding == Cell{}.rounding) return "";
+  return c.rounding == "stochastic" ? "stochastic rounding" : "rounding " + c.rounding;
+}
+
 std::string with(char const* before, std::string const& level, char const* after) {
   return level.empty() ? "" : before + level + after;
 }
@@ -32,6 +38,11 @@ Factor const factors[] = {
     {"functions", functions, [](Cell const& c) { return with("", functions(c), " functions"); }},
     {"coefficients", coefficients, [](Cell const& c) { return with("", coefficients(c), " coefficients"); }},
     {"sum", sum, [](Cell const& c) { return sum(c) == "plain" ? "not compensated" : sum(c); }},
+    {"rounding", [](Cell const& c) { return c.rounding; }, rounding},
+    {"constants", [](Cell const& c) { return c.constants; },
+     [](Cell const& c) { return std::string(c.constants == "exact" ? "exact constants" : ""); }},
+    {"products", [](Cell const& c) { return std::string(c.contraction ? "fused" : "separate"); },
+     [](Cell const& c) { return std::string(c.contraction ? "fused products" : ""); }},
     {"h", step, [](Cell const& c) { return with("h = ", step(c), ""); }},
     {"steps", steps, [](Cell const& c) { return with("", steps(c), " steps"); }},
 };
@@ -94,7 +105,8 @@ std::string describe(CellLabels const& cell) {
 }
 
 std::string brief(CellLabels const& cell, bool with_step) {
-  static std::set<std::string> const unsaid = {"system", "steps"}, usual = {"own", "per-step", "plain"};
+  static std::set<std::string> const unsaid = {"system", "steps"},
+                                     usual = {"own", "per-step", "plain", "nearest", "rounded", "separate"};
   Factors telling;
   for (auto const& factor : factors) {
     bool const is_step = factor.level == &step;

@@ -17,7 +17,7 @@ struct Factor {
 
 using Factors = std::vector<Factor const*>;
 
-/// system, method, arithmetic, special functions, coefficients, compensation, step, steps.
+/// system, method, arithmetic, special functions, coefficients, compensation, rounding, constants, contraction, step, steps.
 std::span<Factor const> all_factors();
 
 /// The cell of each row.

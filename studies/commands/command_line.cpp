@@ -272,6 +272,9 @@ void CommandLine::add_integrate() {
   add_override(*app, overrides, "--special-functions", "integrate.special_functions", "own, gsl or boost");
   add_override(*app, overrides, "--coefficients", "integrate.coefficients",
                "per-step, per-trajectory; standard, split, symplectic");
+  add_override(*app, overrides, "--rounding", "integrate.rounding", "nearest, up, down, toward-zero or stochastic");
+  add_override(*app, overrides, "--constants", "integrate.constants", "of the method: rounded or exact");
+  add_override(*app, overrides, "--contraction", "integrate.contraction", "products fused with sums: true or false");
   add_override(*app, overrides, "--step", "integrate.step", "step size h");
   add_override(*app, overrides, "--steps", "integrate.steps", "how many steps");
   add_override(*app, overrides, "--until", "integrate.until", "how long, in the system's unit of time");
@@ -282,7 +285,8 @@ void CommandLine::add_integrate() {
 
 void CommandLine::add_list() {
   auto [app, command] = add<ListCommand>("list", "names that a study may use", list);
-  app->add_option("what", command->what, "systems, methods, arithmetics, quantities or studies; all where left out");
+  app->add_option("what", command->what,
+                  "systems, methods, arithmetics, operations, quantities or studies; all where left out");
 }
 
 void CommandLine::add_completion() {

@@ -104,7 +104,8 @@ int integrate(IntegrateCommand const& command, Catalogue const& catalogue) {
   SystemDescription const& system = catalogue.system(file.study.system);
   CellLabels const cell = first_cell(file.plan, command.study);
   auto const trajectory =
-      begin_trajectory(catalogue, cell, rounded_to(cell.arithmetic, start_of(command, file.study, system)), true);
+      begin_trajectory(catalogue, cell, rounded_to(cell.arithmetic, start_of(command, file.study, system)), true,
+                       {file.study.seed, command.member.value_or(0)});
   Tracer tracer(command, catalogue, cell);
   tracer.header(system);
   tracer.line(*trajectory, 0);

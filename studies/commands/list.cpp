@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <brouwer/ensemble/operations.hpp>
 #include <brouwer/error.hpp>
 #include <brouwer/spelling.hpp>
 #include <brouwer/store/whole_file.hpp>
@@ -59,6 +60,13 @@ void list_arithmetics(Catalogue const& catalogue) {
     fmt::print("  {:<16} {:>5} bits  {}\n", arithmetic.name, arithmetic.bits, arithmetic.summary);
 }
 
+void list_operations(Catalogue const&) {
+  fmt::print("  {:<16} {}: how every operation of a step is rounded\n", "rounding", fmt::join(rounding_levels(), ", "));
+  fmt::print("  {:<16} {}: whether the method's constants keep what rounding takes from them\n", "constants",
+             fmt::join(constants_levels(), ", "));
+  fmt::print("  {:<16} false, true: whether products that are added are fused with the sum\n", "contraction");
+}
+
 void list_quantities(Catalogue const& catalogue) {
   for (auto const& system : catalogue.systems)
     for (auto const& quantity : system.quantities)
@@ -93,11 +101,9 @@ struct Listing {
   char const* name;
   void (*print)(Catalogue const&);
 };
-constexpr Listing listings[] = {{"systems", list_systems},
-                                {"methods", list_methods},
-                                {"arithmetics", list_arithmetics},
-                                {"quantities", list_quantities},
-                                {"studies", list_studies}};
+constexpr Listing listings[] = {{"systems", list_systems},         {"methods", list_methods},
+                                {"arithmetics", list_arithmetics}, {"operations", list_operations},
+                                {"quantities", list_quantities},   {"studies", list_studies}};
 
 std::vector<std::string> listing_names() {
   std::vector<std::string> names;

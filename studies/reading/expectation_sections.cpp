@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <brouwer/ensemble/catalogue.hpp>
+#include <brouwer/ensemble/operations.hpp>
 
 #include "analysis/expectations.hpp"
 #include "studies/reading/limits.hpp"
@@ -62,6 +63,9 @@ Selector read_selector(Section where, Catalogue const& catalogue, std::string co
   selector.coefficients =
       where.value("coefficients", one_of("level of coefficients", or_none(coefficient_levels(catalogue, system))));
   selector.compensation = where.value("compensation", flag());
+  selector.rounding = where.value("rounding", one_of("rounding", rounding_levels()));
+  selector.constants = where.value("constants", one_of("kind of constants", constants_levels()));
+  selector.contraction = where.value("contraction", flag());
   read_step(where, selector);
   where.refuse_unknown_keys();
   return selector;

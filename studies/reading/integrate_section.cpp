@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <brouwer/ensemble/operations.hpp>
 #include <brouwer/error.hpp>
 
 #include "studies/reading/limits.hpp"
@@ -52,6 +53,10 @@ void read_integrate(Section& root, Catalogue const& catalogue, Study& study) {
   study.coefficients =
       integrate.levels("coefficients", one_of("level of coefficients", coefficient_levels(catalogue, study.system)));
   study.compensation = or_else(integrate.levels("compensation", flag()), {false});
+  study.rounding = or_else(integrate.levels("rounding", one_of("rounding", rounding_levels())), study.rounding);
+  study.constants =
+      or_else(integrate.levels("constants", one_of("kind of constants", constants_levels())), study.constants);
+  study.contraction = or_else(integrate.levels("contraction", flag()), study.contraction);
   study.step = integrate.levels("step", positive());
   read_length(integrate, study);
   integrate.refuse_unknown_keys();

@@ -38,6 +38,10 @@ std::optional<std::string> level_not_run(Selector const& where, std::vector<Cell
     return no;
   if (auto no = not_run("compensation", where.compensation, cells, [](auto const& c) { return c.compensation; }))
     return no;
+  if (auto no = not_run("rounding", where.rounding, cells, [](auto const& c) { return c.rounding; })) return no;
+  if (auto no = not_run("constants", where.constants, cells, [](auto const& c) { return c.constants; })) return no;
+  if (auto no = not_run("contraction", where.contraction, cells, [](auto const& c) { return c.contraction; }))
+    return no;
   return not_run("step", where.step, cells, [](auto const& c) { return c.step; });
 }
 
@@ -46,8 +50,8 @@ std::size_t longest_sweep(Selector const& where, std::vector<CellLabels> const& 
   std::map<std::string, std::set<double>> sweeps;
   for (auto const& cell : cells)
     if (where.matches(cell))
-      sweeps[fmt::format("{} {} {} {} {}", cell.method, cell.arithmetic, cell.special_functions, cell.coefficients,
-                         cell.compensation)]
+      sweeps[fmt::format("{} {} {} {} {} {} {} {}", cell.method, cell.arithmetic, cell.special_functions,
+                         cell.coefficients, cell.compensation, cell.rounding, cell.constants, cell.contraction)]
           .insert(cell.step);
   std::size_t most = 0;
   for (auto const& [others, steps] : sweeps) most = std::max(most, steps.size());

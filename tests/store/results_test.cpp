@@ -135,7 +135,7 @@ TEST_F(UnitsInAFolder, FromBeforeTheFactorCoefficientsAreTakenWithThoseFromAfter
   auto old = sample_unit(0, 4), now = sample_unit(4, 4);
   now.cell.coefficients = no_level;
   put(old), put(now);
-  forget_coefficients(folder / unit_path(0, 0));
+  forget(folder / unit_path(0, 0), {"coefficients"});
   std::string const level = "coefficients = per-trajectory, ";
   auto plan = read_whole(folder / "plan.txt");
   write_whole(folder / "plan.txt", plan.erase(plan.find(level), level.size()));

@@ -43,7 +43,8 @@ inline std::vector<double> distinct_numbers(std::size_t count, double scale) {
 
 /// No method has all of these; the store does not ask.
 inline CellLabels sample_cell() {
-  return {"rigid_body", "elliptic-naive", "double", "own", "per-trajectory", true, 0.1 + 0.2, 1000};
+  return {"rigid_body", "elliptic-naive", "double", "own", "per-trajectory", true, 0.1 + 0.2,
+          1000,         "stochastic",     "exact",  true};
 }
 
 /// `members` members from `first`, of which the first three at most are compared with a reference.
@@ -80,11 +81,11 @@ inline UnitRecord full_unit(std::int64_t first = 64) {
   return unit;
 }
 
-/// Makes a unit as it was written before the factor `coefficients`.
-inline void forget_coefficients(std::filesystem::path const& file) {
+/// Makes a unit as it was written before these labels.
+inline void forget(std::filesystem::path const& file, std::vector<char const*> const& labels) {
   hdf5::Session const session;
   hdf5::Handle const opened(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT));
-  hdf5::checked(H5Adelete(opened, "coefficients"));
+  for (auto const* label : labels) hdf5::checked(H5Adelete(opened, label));
 }
 
 inline bool same_bits(std::vector<double> const& a, std::vector<double> const& b) {

@@ -66,8 +66,20 @@ TEST(UnitFile, FromBeforeTheFactorCoefficientsHasNone) {
   Scratch const folder;
   UnitRecord unit = sample_unit();
   write_unit(folder / "unit.h5", unit);
-  forget_coefficients(folder / "unit.h5");
+  forget(folder / "unit.h5", {"coefficients"});
   unit.cell.coefficients = no_level;
+  EXPECT_TRUE(same(unit, read_unit(folder / "unit.h5")));
+}
+
+TEST(UnitFile, FromBeforeTheFactorsOfOperationsHasTheProcessors) {
+  Scratch const folder;
+  UnitRecord unit = sample_unit();
+  write_unit(folder / "unit.h5", unit);
+  forget(folder / "unit.h5", {"rounding", "constants", "contraction"});
+  CellLabels const standard;
+  unit.cell.rounding = standard.rounding;
+  unit.cell.constants = standard.constants;
+  unit.cell.contraction = standard.contraction;
   EXPECT_TRUE(same(unit, read_unit(folder / "unit.h5")));
 }
 

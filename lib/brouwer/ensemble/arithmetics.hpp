@@ -7,6 +7,7 @@
 #include <brouwer/error.hpp>
 #include <brouwer/scalar/double_double.hpp>
 #include <brouwer/scalar/float128.hpp>
+#include <brouwer/scalar/modelled.hpp>
 #include <brouwer/scalar/mpfr.hpp>
 
 namespace brouwer {
@@ -47,6 +48,15 @@ struct AllArithmetics {
   static void for_each(Visit visit) {
     HardwareArithmetics::for_each(visit);
     SoftwareArithmetics::for_each(visit);
+  }
+};
+
+/// The arithmetics in which operations follow other rules than the processor's.
+struct ModelledArithmetics {
+  template <class Visit>
+  static void for_each(Visit visit) {
+    visit(NamedArithmetic<Modelled<float>>{"float", "IEEE binary32, operations by rule"});
+    visit(NamedArithmetic<Modelled<double>>{"double", "IEEE binary64, operations by rule"});
   }
 };
 

@@ -96,7 +96,8 @@ Catalogue builtin_catalogue() {
     catalogue.add(system);
 #define BROUWER_ADD_NUMBERS(family)         \
   BROUWER_ADD(family, hardware)(catalogue); \
-  BROUWER_ADD(family, software)(catalogue);
+  BROUWER_ADD(family, software)(catalogue); \
+  BROUWER_ADD(family, modelled)(catalogue);
 #define BROUWER_ADD_SSE2(family) BROUWER_ADD(family, sse2)(catalogue);
 #define BROUWER_ADD_AVX2(family) BROUWER_ADD(family, avx2)(catalogue);
 #define BROUWER_ADD_AVX512(family) BROUWER_ADD(family, avx512)(catalogue);

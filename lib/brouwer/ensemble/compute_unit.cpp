@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include <brouwer/ensemble/observer.hpp>
+#include <brouwer/ensemble/operations.hpp>
 #include <brouwer/ensemble/processor_time.hpp>
 #include <brouwer/ensemble/reference.hpp>
 #include <brouwer/ensemble/run.hpp>
@@ -51,8 +52,9 @@ class Comparison {
   Comparison(Catalogue const& catalogue, CellLabels const& cell, std::string const& reference,
              std::vector<Start> const& starts, bool whole_state, InstructionSet widest)
       : exact_(reference == "exact"),
-        companion_(begin_trajectories(catalogue, exact_ ? cell : reference_cell(cell, reference), starts, whole_state,
-                                      exact_ ? InstructionSet::none : widest)),
+        companion_(begin_trajectories(catalogue,
+                                      exact_ ? with_standard_operations(cell) : reference_cell(cell, reference), starts,
+                                      whole_state, exact_ ? InstructionSet::none : widest)),
         state_(catalogue.system(cell.system).state_components.size()) {}
 
   std::size_t members() const { return companion_->members(); }
@@ -108,7 +110,8 @@ class UnitWork {
 
   UnitOutcome run(std::string const& hash) {
     auto const starts = member_starts(study_, system_, cell_.arithmetic, unit_.first_member, unit_.members);
-    auto const trajectories = begin_trajectories(catalogue_, cell_, starts, observer_.needs_whole_state(), widest_);
+    auto const trajectories = begin_trajectories(catalogue_, cell_, starts, observer_.needs_whole_state(), widest_,
+                                                 {study_.seed, unit_.first_member});
     UnitRecord record = labelled(hash);
     if (!observe_along(*trajectories, starts, record)) return {};
     for (auto const& start : starts) {

@@ -9,6 +9,7 @@ class Catalogue;
 // (CMakeLists.txt, add_family), once for each set of scalars:
 //     hardware             numbers that the processor computes
 //     software             numbers of libraries
+//     modelled             float and double with chosen operations
 //     sse2, avx2, avx512   packs. Each is an object that shows one symbol and keeps everything else to itself, so that no
 //                          function that needs the instructions can be taken for its namesake elsewhere. Only to be called
 //                          where the processor has them.
@@ -31,6 +32,7 @@ class Catalogue;
   extern "C" {                                                        \
   void BROUWER_ADD(family, hardware)(brouwer::Catalogue & catalogue); \
   void BROUWER_ADD(family, software)(brouwer::Catalogue & catalogue); \
+  void BROUWER_ADD(family, modelled)(brouwer::Catalogue & catalogue); \
   void BROUWER_ADD(family, sse2)(brouwer::Catalogue & catalogue);     \
   void BROUWER_ADD(family, avx2)(brouwer::Catalogue & catalogue);     \
   void BROUWER_ADD(family, avx512)(brouwer::Catalogue & catalogue);   \

@@ -125,6 +125,7 @@ template <class Arithmetics, class Family>
 void add_numbers(MethodEntry& entry, Family const& family) {
   entry.makers.push_back({InstructionSet::none, [family](TrajectoryRequest const& request) {
                             std::unique_ptr<Trajectories> made;
+                            if (request.rule.standard() == std::same_as<Arithmetics, ModelledArithmetics>) return made;
                             for_arithmetic<Arithmetics>(request.arithmetic, [&]<class T>(NamedArithmetic<T>) {
                               family.template choose<T>(request, [&]<class S>(std::type_identity<S>, auto make) {
                                 made = begin_trajectories<S>(request, make);
@@ -134,12 +135,20 @@ void add_numbers(MethodEntry& entry, Family const& family) {
                           }});
 }
 
+/// Adds chosen operations, number by number. A method that runs in lanes is made of operations of the scalar alone; the
+/// others have parts that are computed elsewhere.
+template <class Family>
+void add_modelled(MethodEntry& entry, Family const& family) {
+  if constexpr (RunsInLanes<typename Family::OfDouble>) add_numbers<ModelledArithmetics>(entry, family);
+}
+
 /// Adds the packs of this translation unit's registers.
 template <class Family>
 void add_packs(MethodEntry& entry, Family const& family) {
   if constexpr (RunsInLanes<typename Family::OfDouble>)
     entry.makers.push_back({native_instruction_set, [family](TrajectoryRequest const& request) {
                               std::unique_ptr<Trajectories> made;
+                              if (!request.rule.standard()) return made;
                               for_arithmetic<HardwareArithmetics>(request.arithmetic, [&]<class T>(NamedArithmetic<T>) {
                                 using P = typename PackOf<T, native_bytes>::type;
                                 if constexpr (lanes < P >> 1)
@@ -176,6 +185,7 @@ template <class Family>
 MethodEntry method_of(Family const& family, MethodText const& text) {
   MethodEntry entry = described(family, text);
   add_numbers<AllArithmetics>(entry, family);
+  add_modelled(entry, family);
   add_packs(entry, family);
   return entry;
 }

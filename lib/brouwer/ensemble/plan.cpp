@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include <brouwer/ensemble/operations.hpp>
 #include <brouwer/ensemble/start.hpp>
 #include <brouwer/error.hpp>
 #include <brouwer/spelling.hpp>
@@ -53,8 +54,9 @@ std::vector<CellLabels> crossed(Study const& study, Catalogue const& catalogue) 
         for (auto const& coefficients : sources)
           for (bool const compensation : study.compensation)
             for (double const h : study.step)
-              cells.push_back(
-                  {study.system, method, arithmetic, variant, coefficients, compensation, h, steps_of(study, h)});
+              for (auto const& cell : crossed_operations(study, {study.system, method, arithmetic, variant,
+                                                                 coefficients, compensation, h, steps_of(study, h)}))
+                cells.push_back(cell);
   }
   return cells;
 }
@@ -66,7 +68,9 @@ std::string reason_to_skip(CellLabels const& cell, Catalogue const& catalogue) {
     return cell.method + " computes new values, not increments: compensation does not apply";
   if (method.uses_special_functions && !variant_exists(cell.special_functions, cell.arithmetic))
     return fmt::format("the '{}' elliptic functions do not exist in {}", cell.special_functions, cell.arithmetic);
-  return "";
+  if (!method.runs_in_lanes && !operation_rule(cell).standard())
+    return cell.method + " computes in part by libraries, whose operations are the processor's alone";
+  return no_such_operations(cell);
 }
 
 /// Members of a unit: full blocks of packs (64 members where the packs hold 8 doubles), but small ensembles in small

@@ -101,7 +101,8 @@ class CellProbe {
   void walk(std::int64_t first) {
     std::int64_t const count = std::min(block_size, design_.members - first);
     auto const starts = member_starts(study_, system_, cell_.arithmetic, first, count);
-    auto const trajectories = begin_trajectories(catalogue_, cell_, starts, whole_state_, widest_);
+    auto const trajectories =
+        begin_trajectories(catalogue_, cell_, starts, whole_state_, widest_, {study_.seed, first});
     auto const windows = recorded(*trajectories, windows_of(first, count));
     for (auto const& window : windows) put_changes(first, window);
     judge(first, windows, starts);

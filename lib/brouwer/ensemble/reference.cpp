@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include <brouwer/ensemble/operations.hpp>
+
 namespace brouwer {
 namespace {
 
@@ -36,7 +38,7 @@ class Trio {
     auto const& system = catalogue.system(study.system);
     auto const starts = member_starts(study, system, cell.arithmetic, 0, members);
     for (auto const& each : {cell, reference_cell(cell, study.reference.arithmetic), reference_cell(cell, judge)})
-      all_.push_back(begin_trajectories(catalogue, each, starts, true, widest_instruction_set()));
+      all_.push_back(begin_trajectories(catalogue, each, starts, true, widest_instruction_set(), {study.seed, 0}));
     exact_.resize(system.state_components.size());
     errors_.resize(system.count(Quantity::Kind::state));
   }
@@ -68,6 +70,7 @@ CellLabels reference_cell(CellLabels cell, std::string const& arithmetic) {
   cell.step = rounded_to(cell.arithmetic, cell.step);
   cell.arithmetic = arithmetic;
   cell.compensation = false;  // what the reference itself rounds is far below what it judges
+  cell = with_standard_operations(cell);
   if (cell.special_functions != no_level && !variant_exists(cell.special_functions, arithmetic))
     cell.special_functions = "own";
   return cell;

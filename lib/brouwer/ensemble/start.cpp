@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include <brouwer/ensemble/arithmetics.hpp>
+#include <brouwer/ensemble/operations.hpp>
 #include <brouwer/error.hpp>
 
 namespace brouwer {
@@ -131,19 +132,21 @@ std::vector<Start> member_starts(Study const& study, SystemDescription const& sy
 
 std::unique_ptr<Trajectories> begin_trajectories(Catalogue const& catalogue, CellLabels const& cell,
                                                  std::vector<Start> const& starts, bool whole_state,
-                                                 InstructionSet widest) {
+                                                 InstructionSet widest, RandomStreams const& streams) {
   TrajectoryRequest const request{
-      cell.arithmetic, cell.special_functions, cell.coefficients, cell.compensation, whole_state, cell.step, starts};
+      cell.arithmetic, cell.special_functions, cell.coefficients, cell.compensation,   whole_state, cell.step,
+      starts,          operation_rule(cell),   streams.seed,      streams.first_member};
   auto const& method = catalogue.method(cell.system, cell.method);
   for (auto const* maker : makers_up_to(method, starts.size() > 1 ? widest : InstructionSet::none))
     if (auto made = maker->begin(request)) return made;
+  if (auto const reason = no_such_operations(cell); !reason.empty()) throw InputError(cell.method + ": " + reason);
   throw InputError(fmt::format("{} does not exist in {} with special functions '{}' and coefficients '{}'", cell.method,
                                cell.arithmetic, cell.special_functions, cell.coefficients));
 }
 
 std::unique_ptr<Trajectories> begin_trajectory(Catalogue const& catalogue, CellLabels const& cell, Start const& start,
-                                               bool whole_state) {
-  return begin_trajectories(catalogue, cell, {start}, whole_state, InstructionSet::none);
+                                               bool whole_state, RandomStreams const& streams) {
+  return begin_trajectories(catalogue, cell, {start}, whole_state, InstructionSet::none, streams);
 }
 
 }  // namespace brouwer

@@ -26,15 +26,21 @@ Start rounded_to(std::string const& arithmetic, Start start);
 std::vector<Start> member_starts(Study const& study, SystemDescription const& system, std::string const& arithmetic,
                                  std::int64_t first, std::int64_t count);
 
+/// Which random numbers stochastic rounding takes: those of a study's members from `first_member` on.
+struct RandomStreams {
+  std::uint64_t seed = 0;
+  std::int64_t first_member = 0;
+};
+
 /// Trajectories of a cell's method and arithmetic from `starts`: in the widest packs up to `widest` that the method has
 /// in this arithmetic, one by one where there are none or there is one member. The bits do not depend on it.
 /// @param whole_state  false: nothing observed needs all of it; parts may stay at their start
 std::unique_ptr<Trajectories> begin_trajectories(Catalogue const& catalogue, CellLabels const& cell,
                                                  std::vector<Start> const& starts, bool whole_state,
-                                                 InstructionSet widest);
+                                                 InstructionSet widest, RandomStreams const& streams = {});
 
 /// The same for one member.
 std::unique_ptr<Trajectories> begin_trajectory(Catalogue const& catalogue, CellLabels const& cell, Start const& start,
-                                               bool whole_state);
+                                               bool whole_state, RandomStreams const& streams = {});
 
 }  // namespace brouwer

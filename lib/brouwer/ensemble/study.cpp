@@ -39,6 +39,21 @@ std::string list(std::vector<double> const& values) {
   return text;
 }
 
+std::string flags(std::vector<bool> const& levels) {
+  std::string text;
+  for (bool on : levels) text += fmt::format("{}{}", text.empty() ? "" : ", ", on);
+  return text;
+}
+
+/// rounding, constants, contraction: where there is more than the standard.
+template <class Line>
+void operations(Study const& study, Line const& line) {
+  Study const standard;
+  if (study.rounding != standard.rounding) line("rounding", fmt::format("{}", fmt::join(study.rounding, ", ")));
+  if (study.constants != standard.constants) line("constants", fmt::format("{}", fmt::join(study.constants, ", ")));
+  if (study.contraction != standard.contraction) line("contraction", flags(study.contraction));
+}
+
 }  // namespace
 
 std::string canonical_text(Study const& study) {
@@ -55,9 +70,8 @@ std::string canonical_text(Study const& study) {
   std::vector<std::string> const first_level = {"per-step"};  // once the standard, whether or not a study said it
   if (!study.coefficients.empty() && study.coefficients != first_level)
     line("coefficients", fmt::format("{}", fmt::join(study.coefficients, ", ")));
-  std::string compensation;
-  for (bool on : study.compensation) compensation += fmt::format("{}{}", compensation.empty() ? "" : ", ", on);
-  line("compensation", compensation);
+  line("compensation", flags(study.compensation));
+  operations(study, line);
   line("step", list(study.step));
   if (study.steps) line("steps", std::to_string(*study.steps));
   if (study.until) line("until", list({*study.until}));

@@ -49,14 +49,17 @@ struct Study {
   std::string system;                                 ///< a name of the catalogue
   std::map<std::string, std::vector<double>> values;  ///< the system's fields, parameters and start
 
-  std::vector<std::string> methods;            // factors …
-  std::vector<std::string> arithmetics;        //
-  std::vector<std::string> special_functions;  // own, gsl, boost
-  std::vector<std::string> coefficients;       // per-step, standard …; empty: each method's first level
-  std::vector<bool> compensation;              //
-  std::vector<double> step;                    // … step sizes h, in the system's unit of time
-  std::optional<std::int64_t> steps;           ///< length in steps, or
-  std::optional<double> until;                 ///< length in time; exactly one of the two is given
+  std::vector<std::string> methods;                  // factors …
+  std::vector<std::string> arithmetics;              //
+  std::vector<std::string> special_functions;        // own, gsl, boost
+  std::vector<std::string> coefficients;             // per-step, standard …; empty: each method's first level
+  std::vector<bool> compensation;                    //
+  std::vector<std::string> rounding = {"nearest"};   // of every operation of a step: see operations.hpp
+  std::vector<std::string> constants = {"rounded"};  //
+  std::vector<bool> contraction = {false};           //
+  std::vector<double> step;                          // … step sizes h, in the system's unit of time
+  std::optional<std::int64_t> steps;                 ///< length in steps, or
+  std::optional<double> until;                       ///< length in time; exactly one of the two is given
 
   std::int64_t members = 64;
   std::uint64_t seed = 0;
@@ -70,7 +73,7 @@ struct Study {
 
 /// The study's content that decides its results, one `key = value` a line, in a fixed order.
 /// Doubles are hexadecimal, so that equal texts mean equal bits. Name, question and source are left out; so are
-/// `coefficients` and `states` where they are not given, so that studies and results from before them keep their hash.
+/// `coefficients` and `states` where they are not given, and factors of operations that have the standard level alone, so that studies and results from before them keep their hash.
 std::string canonical_text(Study const& study);
 
 /// Name-based UUID (RFC 4122, SHA-1) of canonical_text: equal for studies with equal results.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <brouwer/scalar/mpfr.hpp>
+#include <brouwer/scalar/operation_rule.hpp>
 #include <brouwer/systems/failure.hpp>
 
 namespace brouwer {
@@ -27,9 +28,12 @@ struct TrajectoryRequest {
   std::string special_functions;
   std::string coefficients;  ///< per-step, standard …; not asked for by a method without them
   bool compensation = false;
-  bool whole_state = true;    ///< false: the parts that nothing asks for may stay at their start
-  double step = 0;            ///< h, held exactly; rounded to the arithmetic where that is narrower
-  std::vector<Start> starts;  ///< of the members; at least one
+  bool whole_state = true;        ///< false: the parts that nothing asks for may stay at their start
+  double step = 0;                ///< h, held exactly; rounded to the arithmetic where that is narrower
+  std::vector<Start> starts;      ///< of the members; at least one
+  OperationRule rule = {};        ///< of every operation of a step
+  std::uint64_t seed = 0;         ///< of stochastic rounding: a member's random numbers depend on the seed
+  std::int64_t first_member = 0;  ///< and on its number in the study, first_member + its place here
 };
 
 /// When a member had no next state, and why.

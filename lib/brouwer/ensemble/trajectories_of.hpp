@@ -6,6 +6,7 @@
 #include <string>
 #include <type_traits>
 
+#include <brouwer/ensemble/member_operations.hpp>
 #include <brouwer/ensemble/trajectories.hpp>
 #include <brouwer/integrators/stepper.hpp>
 #include <brouwer/scalar/observing.hpp>
@@ -210,7 +211,8 @@ class TrajectoriesOf final : public TrajectoriesIn<typename S::System> {
   /// @param stepper  makes the step of a pack from a Setup
   template <class Make>
   TrajectoriesOf(TrajectoryRequest const& request, Make const& stepper)
-      : Base(request), turns_(request.starts.size(), 0), failures_(request.starts.size()) {
+      : Base(request), operations_(request), turns_(request.starts.size(), 0), failures_(request.starts.size()) {
+    [[maybe_unused]] auto const scope = operations_.forming_constants();
     for (std::size_t p = 0; p < this->packs(); ++p) {
       auto const setup = this->setup(p, request.whole_state);
       steppers_.push_back(stepper(setup));
@@ -221,6 +223,7 @@ class TrajectoriesOf final : public TrajectoriesIn<typename S::System> {
 
   void advance(std::int64_t steps) override {
     before_ = now_;
+    operations_.remember();
     if constexpr (CountsIterations<S>)
       advance_counting(steps);
     else
@@ -243,7 +246,10 @@ class TrajectoriesOf final : public TrajectoriesIn<typename S::System> {
   /// Numbers advance member by member, packs in blocks that stay in the first-level cache.
   void advance_all(std::int64_t steps) {
     if constexpr (Base::lane_count == 1) {
-      for (std::size_t i = 0; i < now_.size(); ++i) brouwer::advance(steppers_[i], now_[i], steps);
+      for (std::size_t i = 0; i < now_.size(); ++i) {
+        [[maybe_unused]] auto const scope = operations_.steps(i);
+        brouwer::advance(steppers_[i], now_[i], steps);
+      }
     } else {
       std::span<S const> const steppers(steppers_);
       std::span<Y> const states(now_);
@@ -260,7 +266,10 @@ class TrajectoriesOf final : public TrajectoriesIn<typename S::System> {
     for (std::int64_t done = 0; done < steps; done += most)
       for (std::size_t p = 0; p < now_.size(); ++p) {
         T turns = T(0);
-        brouwer::advance(steppers_[p], now_[p], std::min(most, steps - done), turns);
+        {
+          [[maybe_unused]] auto const scope = operations_.steps(p);
+          brouwer::advance(steppers_[p], now_[p], std::min(most, steps - done), turns);
+        }
         for_members_of(p, [&](std::size_t member, int l) { turns_[member] += static_cast<double>(lane(turns, l)); });
       }
   }
@@ -276,6 +285,7 @@ class TrajectoriesOf final : public TrajectoriesIn<typename S::System> {
 
   MemberFailure failure_within(std::int64_t steps, std::size_t p, int l) const {
     if (steps == 0 || !is_finite(value_of(before_[p]), l)) return {made_, Failure::not_finite};
+    [[maybe_unused]] auto const scope = operations_.steps_again(p);
     Y y = before_[p];
     for (std::int64_t i = 0; i < steps; ++i) {
       Y const last = y;
@@ -317,6 +327,7 @@ class TrajectoriesOf final : public TrajectoriesIn<typename S::System> {
       return {now_[pack].value, &now_[pack].residue};
   }
 
+  MemberOperations<T> operations_;  // of numbers; packs compute as the processor does
   std::vector<S> steppers_;
   std::vector<Y> now_, before_;  // before: where the last call to advance began
   std::int64_t made_ = 0;        // steps

@@ -137,9 +137,10 @@ ImplicitCoefficients<E> coefficients_in_form(ImplicitTableau<Wider<E>> const& t,
   return c;
 }
 
-/// Those of a method, computed when first asked for and kept: they are the same in all members.
-template <Real E>
-ImplicitCoefficients<E> const& implicit_coefficients(ImplicitMethod const& method, CoefficientForm form) {
+/// Those of a method, computed when first asked for and kept: they are the same in all members whose constants are, or
+/// are not, exact.
+template <Real E, bool exact>
+ImplicitCoefficients<E> const& kept_coefficients(ImplicitMethod const& method, CoefficientForm form) {
   using Forms = std::array<ImplicitCoefficients<E>, coefficient_forms.size()>;
   auto const in_forms = [](ImplicitTableau<Wider<E>> const& t) {
     Forms forms;
@@ -154,6 +155,13 @@ ImplicitCoefficients<E> const& implicit_coefficients(ImplicitMethod const& metho
   }();
   auto const which = static_cast<std::size_t>(method.is_gauss() ? method.stages : 0);
   return kept[which][static_cast<std::size_t>(form)];
+}
+
+template <Real E>
+ImplicitCoefficients<E> const& implicit_coefficients(ImplicitMethod const& method, CoefficientForm form) {
+  if constexpr (requires { E::constants_are_exact(); })
+    if (E::constants_are_exact()) return kept_coefficients<E, true>(method, form);
+  return kept_coefficients<E, false>(method, form);
 }
 
 /// All of them: implicit Euler, and Gauss methods by order.

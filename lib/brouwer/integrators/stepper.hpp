@@ -107,13 +107,21 @@ void add(Compensated<S>& y, S const& increment) {
   y.add(increment);
 }
 
+/// What a scalar remembers of its last operation (modelled.hpp) ends with the step.
+template <State S>
+void settle(S& y) {
+  if constexpr (requires(typename S::Scalar & a) { a.settle(); }) for_components([](auto& a) { a.settle(); }, y);
+}
+
 /// One step.
 template <Step S, class Y>
 void take_step(S const& step, Y& y) {
-  if constexpr (IncrementStep<S>)
+  if constexpr (IncrementStep<S>) {
     add(y, step.increment(value_of(y)));
-  else
+  } else {
     y = step(y);
+    settle(y);
+  }
 }
 
 /// The loop over steps, written once for every method, arithmetic and kind of summation.

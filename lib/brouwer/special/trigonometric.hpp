@@ -61,8 +61,9 @@ template <OwnElementary T>
   using E = Element<T>;
   auto const patched = [&](T const& inside, auto function) {
     return from_lanes<T>([&](int i) {
+      using math::abs;
       E const xi = lane(x, i);
-      bool const outside = math::abs(xi) > ElementaryConstants<E>::largest_reduced;
+      bool const outside = abs(xi) > ElementaryConstants<E>::largest_reduced;
       return outside ? static_cast<E>(function(Mpfr<128>(xi))) : lane(inside, i);
     });
   };

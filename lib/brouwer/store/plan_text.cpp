@@ -12,12 +12,22 @@
 namespace brouwer {
 namespace {
 
+/// Those that are not the standard, so that plans from before these factors stay what they are.
+std::string operations(CellLabels const& cell) {
+  CellLabels const standard;
+  std::string text;
+  if (cell.rounding != standard.rounding) text += ", rounding = " + cell.rounding;
+  if (cell.constants != standard.constants) text += ", constants = " + cell.constants;
+  if (cell.contraction != standard.contraction) text += fmt::format(", contraction = {}", cell.contraction);
+  return text;
+}
+
 std::string to_text(CellLabels const& cell) {
   return fmt::format(
       "system = {}, method = {}, arithmetic = {}, special_functions = {}, coefficients = {}, compensation = {}, "
-      "step = {}, steps = {}",
+      "step = {}, steps = {}{}",
       cell.system, cell.method, cell.arithmetic, cell.special_functions, cell.coefficients, cell.compensation,
-      cell.step, cell.steps);
+      cell.step, cell.steps, operations(cell));
 }
 
 /// "key = value" taken apart; a text without " = " is a key alone.
@@ -54,14 +64,21 @@ CellLabels cell_of(std::string const& line) {
       throw std::invalid_argument(fmt::format("the line of {} lacks {}", line.substr(0, line.find(':')), key));
     return found->second;
   };
+  auto const or_standard = [&](char const* key, std::string const& standard) {
+    return pairs.contains(key) ? value(key) : standard;
+  };
+  CellLabels const standard;
   return {value("system"),
           value("method"),
           value("arithmetic"),
           value("special_functions"),
-          pairs.contains("coefficients") ? value("coefficients") : no_level,  // plans from before this factor
+          or_standard("coefficients", no_level),  // plans from before this factor
           value("compensation") == "true",
           number<double>(value("step")),
-          number<std::int64_t>(value("steps"))};
+          number<std::int64_t>(value("steps")),
+          or_standard("rounding", standard.rounding),
+          or_standard("constants", standard.constants),
+          or_standard("contraction", "false") == "true"};
 }
 
 /// Hexadecimal doubles as people write them.

@@ -34,6 +34,11 @@ CellLabels read_labels(hid_t file) {
   // units from before this factor: no method had it
   cell.coefficients = hdf5::has(file, "coefficients") ? hdf5::text(file, "coefficients") : no_level;
   cell.compensation = hdf5::integer(file, "compensation") != 0;
+  if (hdf5::has(file, "rounding")) {  // units from before these factors: the standard
+    cell.rounding = hdf5::text(file, "rounding");
+    cell.constants = hdf5::text(file, "constants");
+    cell.contraction = hdf5::integer(file, "contraction") != 0;
+  }
   cell.step = hdf5::real(file, "step_size");
   cell.steps = hdf5::integer(file, "steps");
   return cell;

@@ -102,6 +102,9 @@ class UnitFile {
     set(file_, "special_functions", cell.special_functions);
     set(file_, "coefficients", cell.coefficients);
     set(file_, "compensation", std::int64_t{cell.compensation});
+    set(file_, "rounding", cell.rounding);
+    set(file_, "constants", cell.constants);
+    set(file_, "contraction", std::int64_t{cell.contraction});
     set(file_, "step_size", cell.step);
     set(file_, "steps", cell.steps);
     set(file_, "reference", record_.reference);
