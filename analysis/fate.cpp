@@ -1,0 +1,76 @@
+#include "analysis/fate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace brouwer {
+namespace {
+
+constexpr double half = 0.5;
+
+bool holds(Interval const& i, double x) { return i.low <= x && x <= i.high; }
+
+/// A way to be, the condition for it, and its words; the first whose condition holds.
+struct Way {
+  char const* word;
+  char const* verb;
+  bool says_how_much;
+  bool (*is)(Interval const&);
+};
+
+bool is_gone(Interval const& i) { return -half < i.low && i.high < half; }
+bool is_there(Interval const& i) { return i.low > half || i.high < -half; }
+
+constexpr Way ways[] = {
+    {"gone", "vanishes", false, [](Interval const& i) { return is_gone(i) && holds(i, 0); }},
+    {"falls", "falls to", true, [](Interval const& i) { return is_gone(i); }},
+    {"stays", "persists", false, [](Interval const& i) { return is_there(i) && holds(i, 1); }},
+    {"turns", "turns to", true, [](Interval const& i) { return is_there(i) && i.high < 0; }},
+    {"falls", "falls to", true, [](Interval const& i) { return is_there(i) && i.high < 1; }},
+    {"grows", "grows to", true, [](Interval const& i) { return is_there(i); }},
+    {"?", "may be gone or not", false, [](Interval const&) { return true; }},
+};
+
+Way const& way_of(Share const& left) {
+  return *std::find_if(std::begin(ways), std::end(ways), [&](Way const& way) { return way.is(left.interval); });
+}
+
+/// Decimals of a percentage whose interval is so wide: two digits of the width.
+int decimals(Interval const& i) {
+  double const width = 100 * (i.high - i.low);
+  if (!(width > 0) || !std::isfinite(width)) return 0;
+  return std::clamp(static_cast<int>(std::ceil(1 - std::log10(width))), 0, 6);
+}
+
+std::string hundredfold(double share, int digits) {
+  if (!std::isfinite(share)) return share > 0 ? "∞" : share < 0 ? "−∞" : "–";
+  std::string text = fmt::format("{:.{}f}", 100 * std::abs(share), digits);
+  bool const zero = text.find_first_of("123456789") == std::string::npos;
+  return (share < 0 && !zero ? "−" : "") + text;
+}
+
+}  // namespace
+
+Fate fate_of(Share const& left) {
+  if (is_gone(left.interval)) return Fate::gone;
+  return is_there(left.interval) ? Fate::there : Fate::unknown;
+}
+
+std::string percent_range(Interval const& interval) {
+  int const digits = decimals(interval);
+  return fmt::format("{} … {} %", hundredfold(interval.low, digits), hundredfold(interval.high, digits));
+}
+
+std::string in_words(Share const& left) {
+  auto const& way = way_of(left);
+  std::string const much =
+      way.says_how_much ? fmt::format(" {} %", hundredfold(left.value, decimals(left.interval))) : "";
+  return fmt::format("{}{} ({})", way.verb, much, percent_range(left.interval));
+}
+
+std::string in_a_word(Share const& left) { return way_of(left).word; }
+
+}  // namespace brouwer
