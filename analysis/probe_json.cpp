@@ -1,59 +1,34 @@
 #include <fmt/format.h>
 
-#include "analysis/escape.hpp"
 #include "analysis/factors.hpp"
-#include "analysis/numbers.hpp"
+#include "analysis/json_object.hpp"
 #include "analysis/probe_table.hpp"
 
 namespace brouwer {
 namespace {
 
-/// "key": value, of one object.
-class Object {
- public:
-  Object& add(char const* key, std::string const& json) {
-    pairs_.push_back(json_string(key) + ": " + json);
-    return *this;
-  }
-  Object& text(char const* key, std::string const& value) { return add(key, json_string(value)); }
-  Object& whole(char const* key, std::int64_t value) { return add(key, fmt::format("{}", value)); }
-  Object& real(char const* key, double value) { return add(key, json_number(value)); }
-  Object& interval(char const* key, Interval const& value) {
-    return add(key, fmt::format("[{}, {}]", json_number(value.low), json_number(value.high)));
-  }
-  Object& list(char const* key, std::vector<double> const& values) {
-    std::vector<std::string> texts;
-    for (double const value : values) texts.push_back(json_number(value));
-    return add(key, fmt::format("[{}]", fmt::join(texts, ", ")));
-  }
-  std::string json() const { return fmt::format("{{{}}}", fmt::join(pairs_, ", ")); }
-
- private:
-  std::vector<std::string> pairs_;
-};
-
 std::string json_of(Drift const& d) {
-  return Object().real("per_step", d.per_step).interval("ci", d.interval).real("t", d.t).real("p", d.p).json();
+  return JsonObject().real("per_step", d.per_step).interval("ci", d.interval).real("t", d.t).real("p", d.p).json();
 }
 std::string json_of(Diffusion const& d) {
-  return Object().real("per_sqrt_step", d.per_sqrt_step).interval("ci", d.interval).json();
+  return JsonObject().real("per_sqrt_step", d.per_sqrt_step).interval("ci", d.interval).json();
 }
 std::string json_of(Persistence const& p) {
-  return Object().real("per_step", p.per_step).interval("ci", p.interval).real("F", p.F).real("p", p.p).json();
+  return JsonObject().real("per_step", p.per_step).interval("ci", p.interval).real("F", p.F).real("p", p.p).json();
 }
 std::string json_of(LocalLaw const& law) {
-  return Object()
+  return JsonObject()
       .add("bias", json_of(law.bias))
       .real("size", law.size)
       .add("diffusion", json_of(law.diffusion))
       .add("persistence", json_of(law.persistence))
       .list("autocorrelation", law.autocorrelation)
       .list("sigma_by_scale", law.scales)
-      .add("still_changing", law.still_changing ? "true" : "false")
+      .flag("still_changing", law.still_changing)
       .json();
 }
 std::string json_of(Prediction const& p) {
-  return Object()
+  return JsonObject()
       .add("drift", json_of(p.drift))
       .add("diffusion", json_of(p.diffusion))
       .add("persistence", json_of(p.persistence))
@@ -61,7 +36,7 @@ std::string json_of(Prediction const& p) {
       .json();
 }
 std::string json_of(Estimates const& e) {
-  return Object()
+  return JsonObject()
       .whole("members", e.members)
       .add("drift", json_of(e.drift))
       .add("diffusion", json_of(e.diffusion))
@@ -71,14 +46,14 @@ std::string json_of(Estimates const& e) {
       .json();
 }
 std::string json_of(Agreement const& a) {
-  return Object().real("z", a.z).real("ratio", a.ratio).add("agrees", a.agrees ? "true" : "false").json();
+  return JsonObject().real("z", a.z).real("ratio", a.ratio).flag("agrees", a.agrees).json();
 }
 
 std::string json_of(ProbedRow const& row) {
   auto const& local = row.local;
-  Object object;
+  JsonObject object;
   object.text("cell", describe(local.cell)).text("method", local.cell.method).text("arithmetic", local.cell.arithmetic);
-  object.add("compensation", local.cell.compensation ? "true" : "false").real("step", local.cell.step);
+  object.flag("compensation", local.cell.compensation).real("step", local.cell.step);
   object.whole("steps", local.cell.steps).text("quantity", local.quantity).text("unit", local.unit);
   object.text("high_precision", local.high_precision).whole("members", local.members).whole("failed", local.failed);
   object.whole("windows", local.windows).whole("length", local.length).whole("judged", local.judged);

@@ -41,25 +41,9 @@ std::string joined(Words const& lines, std::string const& prefix = "") {
 
 std::string text_table(std::vector<Estimates> const& rows) {
   auto const layout = best_layout(rows);
-  auto table = growth_table(rows, layout);
-  for (auto& row : table.rows) std::transform(row.words.begin(), row.words.end(), row.words.begin(), one_line);
-  auto const widths = column_widths(table);
-  std::string const indent = layout == CellsAs::groups ? "  " : "";
-  auto const line = [&](Words const& words) {
-    std::string text = indent;
-    for (std::size_t j = 0; j < words.size(); ++j) {
-      bool const left = table.headings[j].left;
-      text += (left ? left_aligned : right_aligned)(words[j], widths[j]) + (j + 1 < words.size() ? "  " : "");
-    }
-    return trimmed(text);
-  };
-  std::string body = line(heading_words(table));
-  for (auto const& row : table.rows) {
-    if (layout == CellsAs::groups && row.first_of_cell) body += one_line(row.cell) + '\n';
-    body += line(row.words);
-  }
+  auto const table = growth_table(rows, layout);
   std::string const shared = table.shared.empty() ? "" : one_line(table.shared) + "\n\n";
-  return shared + body + '\n' + joined(table.notes) + joined(table.legend);
+  return shared + text_rows(table, layout) + '\n' + joined(table.notes) + joined(table.legend);
 }
 
 std::string markdown_table(std::vector<Estimates> const& rows) {
@@ -121,6 +105,26 @@ TableFormat table_format(std::string const& name) {
     names.emplace_back(layout.name);
   }
   throw InputError(fmt::format("there is no table format '{}'{}", one_line(name), suggestion(name, names)));
+}
+
+std::string text_rows(GrowthTable table, CellsAs layout) {
+  for (auto& row : table.rows) std::transform(row.words.begin(), row.words.end(), row.words.begin(), one_line);
+  auto const widths = column_widths(table);
+  std::string const indent = layout == CellsAs::groups ? "  " : "";
+  auto const line = [&](Words const& words) {
+    std::string text = indent;
+    for (std::size_t j = 0; j < words.size(); ++j) {
+      bool const left = table.headings[j].left;
+      text += (left ? left_aligned : right_aligned)(words[j], widths[j]) + (j + 1 < words.size() ? "  " : "");
+    }
+    return trimmed(text);
+  };
+  std::string text = line(heading_words(table));
+  for (auto const& row : table.rows) {
+    if (layout == CellsAs::groups && row.first_of_cell) text += one_line(row.cell) + '\n';
+    text += line(row.words);
+  }
+  return text;
 }
 
 std::string markdown_rows(GrowthTable const& table) {

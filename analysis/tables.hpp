@@ -18,6 +18,9 @@ TableFormat table_format(std::string const& name);
 /// latex: a `tabular` that needs the package booktabs (and \usepackage[T1]{fontenc} for names with odd characters).
 std::string render_table(std::vector<Estimates> const& rows, TableFormat format);
 
+/// Headings and rows in columns of a terminal; as groups they are indented, with a line above each cell.
+std::string text_rows(GrowthTable table, CellsAs layout);
+
 /// Headings and rows in Markdown, without what stands above and below them.
 std::string markdown_rows(GrowthTable const& table);
 
