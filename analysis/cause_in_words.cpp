@@ -76,11 +76,29 @@ bool is_told(ComparedCell const& cell, Explanation const& e) {
   return cell.changed.size() == 1 && cell.bits == e.bits && !(directed && cell.changed.front() == "rounding");
 }
 
+Cells with_fate(Cells cells, Fate fate, Subject subject) {
+  std::erase_if(cells, [&](auto const* cell) { return fate_of(left_of(*cell, subject)) != fate; });
+  return cells;
+}
+
+std::string names_of(Cells const& cells) {
+  std::vector<std::string> names;
+  for (auto const* cell : cells) names.push_back(changes_in_words(cell->changed, cell->cell));
+  return enumerated(names);
+}
+
+/// What else takes it away, and in few words what does not.
 std::string others_in_words(Explanation const& e, Cells const& told) {
   Cells others;
   for (auto const& cell : e.cells)
     if (is_told(cell, e) && std::find(told.begin(), told.end(), &cell) == told.end()) others.push_back(&cell);
-  return others.empty() ? "" : fmt::format(" It {}.", said(others, e.subject));
+  auto const gone = with_fate(others, Fate::gone, e.subject), there = with_fate(others, Fate::there, e.subject),
+             unknown = with_fate(others, Fate::unknown, e.subject);
+  std::string text;
+  if (!gone.empty()) text += fmt::format(" It also {}.", said(gone, e.subject));
+  if (!there.empty()) text += fmt::format(" Most of it stays with {}.", names_of(there));
+  if (!unknown.empty()) text += fmt::format(" Whether it stays with {} is not resolved.", names_of(unknown));
+  return text;
 }
 
 /// Members that would bring the widest interval in question to ±25 %; none where even the nominal drift is not told from 0.

@@ -25,8 +25,8 @@ MemberRatio ratio_of(Eigen::ArrayXd const& a, Eigen::ArrayXd const& b) {
 Share root_ratio(Eigen::ArrayXd const& a, Eigen::ArrayXd const& b, double confidence) {
   auto const ratio = ratio_of(a, b);
   if (!(ratio.a > 0 && ratio.b > 0)) return {};
-  auto const log = ratio.log_interval(a.size(), confidence);
-  return {std::sqrt(ratio.value()), {std::exp(log.low / 2), std::exp(log.high / 2)}};
+  auto const squares = ratio.log_interval(a.size(), confidence);
+  return {std::sqrt(ratio.value()), {std::sqrt(squares.low), std::sqrt(squares.high)}};
 }
 
 Share ratio(Eigen::ArrayXd const& a, Eigen::ArrayXd const& b, double confidence) {

@@ -9,7 +9,8 @@
 namespace brouwer {
 namespace {
 
-constexpr double half = 0.5;
+constexpr double half = 0.5;       ///< more of it is there, less is gone
+constexpr double nothing = 0.005;  ///< so little is called nothing, however surely it is some
 
 bool holds(Interval const& i, double x) { return i.low <= x && x <= i.high; }
 
@@ -22,15 +23,16 @@ struct Way {
 };
 
 bool is_gone(Interval const& i) { return -half < i.low && i.high < half; }
+bool is_nothing(Interval const& i) { return is_gone(i) && (holds(i, 0) || (-nothing < i.low && i.high < nothing)); }
 bool is_there(Interval const& i) { return i.low > half || i.high < -half; }
 
 constexpr Way ways[] = {
-    {"gone", "vanishes", false, [](Interval const& i) { return is_gone(i) && holds(i, 0); }},
-    {"falls", "falls to", true, [](Interval const& i) { return is_gone(i); }},
+    {"gone", "vanishes", false, is_nothing},
+    {"falls", "falls to", true, is_gone},
     {"stays", "persists", false, [](Interval const& i) { return is_there(i) && holds(i, 1); }},
     {"turns", "turns to", true, [](Interval const& i) { return is_there(i) && i.high < 0; }},
     {"falls", "falls to", true, [](Interval const& i) { return is_there(i) && i.high < 1; }},
-    {"grows", "grows to", true, [](Interval const& i) { return is_there(i); }},
+    {"grows", "grows to", true, is_there},
     {"?", "may be gone or not", false, [](Interval const&) { return true; }},
 };
 

@@ -7,6 +7,7 @@
 
 #include "studies/commands/completion.hpp"
 #include "studies/commands/help.hpp"
+#include "studies/factorial_design.hpp"
 
 namespace brouwer {
 namespace {
@@ -144,6 +145,7 @@ CommandLine::CommandLine() : app_(help_introduction(), "brouwer") {
   add_run();
   add_plan();
   add_probe();
+  add_explain();
   add_check();
   add_baseline();
   add_table();
@@ -192,6 +194,21 @@ void CommandLine::add_probe() {
   app->add_flag("--run", command->run, "run what is missing of these results first");
   app->add_option("--format", command->format, "text or json")->capture_default_str();
   add_computing(*app, command->settings);
+}
+
+void CommandLine::add_explain() {
+  auto [app, command] = add<ExplainCommand>(
+      "explain", "what makes a drift: the study again with other roundings, constants, sums, precisions", explain);
+  app->add_option("study", command->study, "study file (TOML)")->type_name("STUDY")->required();
+  add_run_settings(*app, command->settings);
+  app->add_option("--factors", command->factors,
+                  fmt::format("what is changed, of {} (default: all)", fmt::join(design_factors(), ", ")))
+      ->type_name("NAME,…")
+      ->delimiter(',')
+      ->expected(1);
+  app->add_option("--format", command->format, "text, markdown or json")->capture_default_str();
+  app->add_flag("--plan", command->only_plan, "only say what would be run, and how long it would take");
+  app->add_flag("--no-figures", command->no_figures, "do not draw figures");
 }
 
 void CommandLine::add_check() {

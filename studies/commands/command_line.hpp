@@ -32,6 +32,7 @@ class CommandLine {
   void add_run();
   void add_plan();
   void add_probe();
+  void add_explain();
   void add_check();
   void add_baseline();
   void add_table();

@@ -47,6 +47,15 @@ struct ProbeCommand {
   bool run = false;  ///< what is missing of the results first
 };
 
+struct ExplainCommand {
+  std::string study;
+  RunSettings settings;              ///< folder: of the whole design
+  std::vector<std::string> factors;  ///< those that are changed; empty: all
+  std::string format = "text";
+  bool only_plan = false;
+  bool no_figures = false;
+};
+
 struct TableCommand {
   std::vector<std::string> results;
   std::string format = "text";
@@ -107,6 +116,7 @@ struct ListCommand {
 int run(RunCommand const& command, Catalogue const& catalogue);
 int plan(PlanCommand const& command, Catalogue const& catalogue);
 int probe(ProbeCommand const& command, Catalogue const& catalogue);
+int explain(ExplainCommand const& command, Catalogue const& catalogue);
 int table(TableCommand const& command);
 int plot(PlotCommand const& command, Catalogue const& catalogue);
 int report(ReportCommand const& command, Catalogue const& catalogue);

@@ -31,11 +31,6 @@ void say_if_unfinished(Results const& results) {
     fmt::print(stderr, "brouwer: {} is {}; run the study again to complete it\n", results.folder().string(), part);
 }
 
-void say(Figures const& figures, std::filesystem::path const& folder) {
-  fmt::print(stderr, "{} figures in {}\n", figures.files.size(), folder.string());
-  if (!figures.note.empty()) fmt::print(stderr, "brouwer: {}\n", figures.note);
-}
-
 }  // namespace
 
 std::vector<double> final_errors_of(Ensemble const& ensemble) {
@@ -164,6 +159,11 @@ Figures draw_all(Findings const& findings, Catalogue const& catalogue, std::file
   figures.files.insert(figures.files.end(), clouds.files.begin(), clouds.files.end());
   figures.note = joined_notes(figures.note, clouds.note);
   return figures;
+}
+
+void say(Figures const& figures, std::filesystem::path const& folder) {
+  fmt::print(stderr, "{} figures in {}\n", figures.files.size(), folder.string());
+  if (!figures.note.empty()) fmt::print(stderr, "brouwer: {}\n", figures.note);
 }
 
 void draw_and_say(Findings const& findings, Catalogue const& catalogue, std::filesystem::path const& folder,

@@ -67,7 +67,10 @@ void print_outcomes(std::vector<Outcome> const& outcomes, std::vector<std::strin
 Figures draw_all(Findings const& findings, Catalogue const& catalogue, std::filesystem::path const& folder,
                  std::string const& format, std::optional<Plane> const& plane = {});
 
-/// Draws the figures and says where they are, or why not, on standard error.
+/// How many figures are where, and why not all, on standard error.
+void say(Figures const& figures, std::filesystem::path const& folder);
+
+/// Draws the figures and says so.
 void draw_and_say(Findings const& findings, Catalogue const& catalogue, std::filesystem::path const& folder,
                   std::string const& format, std::optional<Plane> const& plane = {});
 void draw_and_say(std::vector<Estimates> const& rows, std::vector<std::vector<double>> const& final_errors,

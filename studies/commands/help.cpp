@@ -18,6 +18,7 @@ std::string help_footer(std::string const& subcommand) {
   brouwer run STUDY --members 8 --steps 1000        the same at toy size, in a folder of its own
   brouwer plan STUDY                                how long it would take and what it could see
   brouwer probe STUDY                               errors of single steps: the cause, and the long run predicted
+  brouwer explain STUDY                             what makes a drift: constants, rounding, sums, the method
   brouwer check STUDY --junit outcome.xml           a drift-slope regression test for CI
   brouwer fit errors.csv                            the inference on an ensemble of another program
   brouwer integrate STUDY --steps 10 --hex          one trajectory, bit for bit
@@ -52,6 +53,20 @@ slopes τ that a long run would have of them. Where there are results, or with -
 Examples:
   brouwer probe studies/elliptic-drift.toml
   brouwer probe studies/gauss-kepler.toml --members 256 --windows 16 --format json)"},
+      {"explain",
+       R"(The nominal cell of each method and step has the first level that the study has of every other factor. It is run again
+with the same starts in a factorial over exact constants, stochastic rounding and compensated sums, and with one other level
+each of rounding, contraction, coefficients, special functions and precision, as far as they exist. Members are compared in
+pairs; a cause is named where more than half of the drift is proven to stay, or to go, in the cells that tell it from others.
+What other rules of rounding cost: 25 to 50 times a number's own operations; --plan says how long it takes.
+
+The design's results are kept in results/NAME-explain, or results/NAME-xxxxxxxx-explain where options have changed it. Ctrl-C
+keeps every finished unit; the same command resumes.
+
+Examples:
+  brouwer explain studies/elliptic-drift.toml --set integrate.methods=elliptic-naive
+  brouwer explain studies/gauss-henon-heiles.toml --members 64 --factors constants,coefficients,precision
+  brouwer explain STUDY --plan)"},
       {"check",
        R"(A study file is run first, as far as it is not yet run. A folder is judged as it is.
 
