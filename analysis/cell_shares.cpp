@@ -29,12 +29,6 @@ Share root_ratio(Eigen::ArrayXd const& a, Eigen::ArrayXd const& b, double confid
   return {std::sqrt(ratio.value()), {std::sqrt(squares.low), std::sqrt(squares.high)}};
 }
 
-Share ratio(Eigen::ArrayXd const& a, Eigen::ArrayXd const& b, double confidence) {
-  auto const ratio = ratio_of(a, b);
-  if (!(ratio.b > 0)) return {};
-  return {ratio.value(), ratio.interval(a.size(), confidence)};
-}
-
 }  // namespace
 
 Share share_of_means(Eigen::ArrayXd const& a, Eigen::ArrayXd const& b, double confidence) {
@@ -66,7 +60,8 @@ ComparedCell compared(MemberStatistics const& nominal, MemberStatistics const& o
   cell.drift = student_drift(other.slope.mean(), error(other.slope), members - 1, confidence);
   cell.p = changed_error > 0 ? student_two_sided(changed / changed_error, members - 1) : changed == 0 ? 1 : 0;
   cell.drift_left = share_of_means(other.slope, nominal.slope, confidence);
-  cell.slopes_left = ratio(slope_variances(other), slope_variances(nominal), confidence);
+  Eigen::ArrayXd const slopes = slope_variances(nominal);
+  if (slopes.mean() > 0) cell.slopes_left = share_of_means(slope_variances(other), slopes, confidence);
   cell.diffusion_left = root_ratio(other.walk, nominal.walk, confidence);
   cell.size_left = root_ratio(other.square, nominal.square, confidence);
   return cell;

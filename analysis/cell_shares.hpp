@@ -8,10 +8,11 @@ namespace brouwer {
 ///
 ///     β/β₀      Fieller's interval: all θ with |ā − θb̄| ≤ t(M−1) sd(aᵢ − θbᵢ)/√M, exact for normal slopes [E. C. Fieller,
 ///               J. R. Stat. Soc. B 16 (1954) 175]; (−∞, ∞) where b̄ itself is not told from 0
-///     τ²/τ₀²    ratio of means over members of (sᵢ − s̄)² M/(M−1) less what walk and noise contribute
+///     τ²/τ₀²    likewise, of (sᵢ − s̄)² M/(M−1) less what walk and noise contribute
 ///     σ²/σ₀², RMS²   ratios of sums over members (member_ratio.hpp), on the logarithm
 ///
-/// Measured coverage of 95 % intervals, 2000 simulated pairs of 64 and of 8 members: see cell_shares_test.cpp.
+/// Measured coverage of 95 % intervals: of β/β₀ nominal for 8 and 64 members (±1.3 %); for 64 members 95.4 % of τ²/τ₀², of
+/// σ/σ₀ nominal (±2.7 %), of the ratio of RMS 93.9 %.
 /// @param confidence  of each interval
 ComparedCell compared(MemberStatistics const& nominal, MemberStatistics const& other, double confidence);
 

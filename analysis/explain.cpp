@@ -62,7 +62,8 @@ std::string reason_to_leave_out(Seen const& nominal, Seen const& seen) {
   if (2 * seen.estimates.members < nominal.estimates.members)
     return fmt::format("{}: {} of {} members failed{}", words, seen.estimates.failed,
                        seen.estimates.failed + seen.estimates.members, and_why(seen.estimates));
-  if (slope[0] != 0 && (slope == slope[0]).all()) return fmt::format("{}: its members do not differ", words);
+  if (seen.bits < nominal.bits && (slope == slope[0]).all())
+    return fmt::format("{}: its members do not differ, their starts are rounded to the same numbers", words);
   return "";
 }
 

@@ -19,7 +19,8 @@ struct Design {
 /// Compares every cell with the nominal one, member by member, and names the cause (causes.hpp).
 ///
 /// Compared are the members that came through in every cell and are set aside in none (far_off.hpp). A cell that lost
-/// more than half of the nominal cell's members, or whose members do not differ, is left out, and said so.
+/// more than half of the nominal cell's members is left out, as is one of fewer bits in which all members are the same (their
+/// starts differ by less than it holds); both are said.
 ///
 /// The factorial is that over `constants`, `rounding` (nominal or stochastic) and `sum`, as far as all its cells are there.
 /// @throws InputError where the design has other times in one cell than in another

@@ -17,12 +17,16 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-std::string percent(Share const& share) {
-  return std::isnan(share.value) ? "–"
-                                 : measured(100 * share.value, {100 * share.interval.low, 100 * share.interval.high});
+/// Without its interval where that would not show.
+std::string in_units(double unit, Share const& share) {
+  if (std::isnan(share.value)) return "–";
+  Interval const scaled{unit * share.interval.low, unit * share.interval.high};
+  bool const shows = !(scaled.high - scaled.low < 2e-3 * unit * std::abs(share.value));
+  return shows ? measured(unit * share.value, scaled) : number(unit * share.value, 4);
 }
 
-std::string factor(Share const& share) { return std::isnan(share.value) ? "–" : measured(share.value, share.interval); }
+std::string percent(Share const& share) { return in_units(100, share); }
+std::string factor(Share const& share) { return in_units(1, share); }
 
 std::string fate(Share const& share) { return std::isnan(share.value) ? "–" : in_a_word(share); }
 

@@ -9,8 +9,8 @@
 namespace brouwer {
 namespace {
 
-constexpr double half = 0.5;       ///< more of it is there, less is gone
-constexpr double nothing = 0.005;  ///< so little is called nothing, however surely it is some
+constexpr double half = 0.5;      ///< more of it is there, less is gone
+constexpr double little = 0.005;  ///< so little is called nothing, and no difference, however surely it is some
 
 bool holds(Interval const& i, double x) { return i.low <= x && x <= i.high; }
 
@@ -22,14 +22,16 @@ struct Way {
   bool (*is)(Interval const&);
 };
 
+bool is_within(Interval const& i, double x) { return x - little < i.low && i.high < x + little; }
+
 bool is_gone(Interval const& i) { return -half < i.low && i.high < half; }
-bool is_nothing(Interval const& i) { return is_gone(i) && (holds(i, 0) || (-nothing < i.low && i.high < nothing)); }
+bool is_nothing(Interval const& i) { return is_gone(i) && (holds(i, 0) || is_within(i, 0)); }
 bool is_there(Interval const& i) { return i.low > half || i.high < -half; }
 
 constexpr Way ways[] = {
     {"gone", "vanishes", false, is_nothing},
     {"falls", "falls to", true, is_gone},
-    {"stays", "persists", false, [](Interval const& i) { return is_there(i) && holds(i, 1); }},
+    {"stays", "persists", false, [](Interval const& i) { return is_there(i) && (holds(i, 1) || is_within(i, 1)); }},
     {"turns", "turns to", true, [](Interval const& i) { return is_there(i) && i.high < 0; }},
     {"falls", "falls to", true, [](Interval const& i) { return is_there(i) && i.high < 1; }},
     {"grows", "grows to", true, is_there},
@@ -44,7 +46,7 @@ Way const& way_of(Share const& left) {
 int decimals(Interval const& i) {
   double const width = 100 * (i.high - i.low);
   if (!(width > 0) || !std::isfinite(width)) return 0;
-  return std::clamp(static_cast<int>(std::ceil(1 - std::log10(width))), 0, 6);
+  return std::clamp(static_cast<int>(std::floor(1 - std::log10(width))), 0, 3);
 }
 
 std::string hundredfold(double share, int digits) {

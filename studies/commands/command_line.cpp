@@ -205,7 +205,7 @@ void CommandLine::add_explain() {
                   fmt::format("what is changed, of {} (default: all)", fmt::join(design_factors(), ", ")))
       ->type_name("NAME,…")
       ->delimiter(',')
-      ->expected(1);
+      ->allow_extra_args(false);
   app->add_option("--format", command->format, "text, markdown or json")->capture_default_str();
   app->add_flag("--plan", command->only_plan, "only say what would be run, and how long it would take");
   app->add_flag("--no-figures", command->no_figures, "do not draw figures");
