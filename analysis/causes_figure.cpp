@@ -38,8 +38,8 @@ char const* property(Subject subject) {
 
 Picture picture_of(Explanation const& e, std::vector<Explanation> const& all, std::size_t number) {
   Picture picture{fmt::format("causes-{}", number),
-                  fmt::format("What makes {}? {}", property(e.subject), to_string(e.cause)),
-                  subject_line(e, all),
+                  fmt::format("What makes {}: {}", property(e.subject), to_string(e.cause)),
+                  subject_line(e, all) + "; green: less than half of it is left; orange: more",
                   fmt::format("left of {} of the nominal cell, %", property(e.subject)),
                   {}};
   for (auto const& cell : e.cells)

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
+
+#include "analysis/numbers.hpp"
 
 namespace brouwer {
 namespace {
@@ -51,6 +52,7 @@ int decimals(Interval const& i) {
 
 std::string hundredfold(double share, int digits) {
   if (!std::isfinite(share)) return share > 0 ? "∞" : share < 0 ? "−∞" : "–";
+  if (std::abs(share) >= 1e4) return number(100 * share, 3);
   std::string text = fmt::format("{:.{}f}", 100 * std::abs(share), digits);
   bool const zero = text.find_first_of("123456789") == std::string::npos;
   return (share < 0 && !zero ? "−" : "") + text;
