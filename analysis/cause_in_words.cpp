@@ -124,6 +124,8 @@ std::string unresolved(Explanation const& e) {
 /// Nothing that asks for a cause.
 std::string nothing(Explanation const& e) {
   auto const& nominal = e.nominal;
+  if (nominal.members < 2 || e.members < 2 || nominal.verdict == Verdict::exact)
+    return "There is nothing to compare. " + nominal.sentence;
   return fmt::format(
       "There is no drift to explain: {}).{}", drift_interval(nominal.drift, nominal),
       std::isfinite(nominal.smallest_visible_drift)
@@ -156,7 +158,7 @@ std::string named(Explanation const& e) {
       std::find_if(sayings().begin(), sayings().end(), [&](auto const& s) { return s.cause == e.cause; });
   auto const cells = shown_by(e, saying->shown_by);
   return fmt::format("{} {}: it {}.{}", noun(e.subject), saying->words, said(cells, e.subject),
-                     others_in_words(e, cells));
+                     e.cause == Cause::truncation ? "" : others_in_words(e, cells));
 }
 
 std::string cause_alone(Explanation const& e) {

@@ -62,7 +62,7 @@ std::string reason_to_leave_out(Seen const& nominal, Seen const& seen) {
   if (2 * seen.estimates.members < nominal.estimates.members)
     return fmt::format("{}: {} of {} members failed{}", words, seen.estimates.failed,
                        seen.estimates.failed + seen.estimates.members, and_why(seen.estimates));
-  if (seen.bits < nominal.bits && (slope == slope[0]).all())
+  if (seen.bits < nominal.bits && slope.size() > 0 && (slope == slope[0]).all())
     return fmt::format("{}: its members do not differ, their starts are rounded to the same numbers", words);
   return "";
 }
@@ -103,10 +103,14 @@ Drift unscaled(Drift drift, double scale) {
       drift.per_step / scale, {drift.interval.low / scale, drift.interval.high / scale}, drift.t, drift.p, drift.share};
 }
 
-/// Only where a member is wholly there in each.
-void pair_members(std::vector<Seen>& cells) {
+/// Only where a member is wholly there in each. @return what becomes of the others, or ""
+std::string pair_members(std::vector<Seen>& cells) {
   auto const rows = common_rows(cells);
   for (std::size_t c = 0; c < cells.size(); ++c) cells[c].statistics = of_members(cells[c].statistics, rows[c]);
+  auto const lost = cells.front().estimates.members - std::ssize(rows.front());
+  if (lost == 0) return "";
+  return fmt::format("{} of {} members, which failed in another cell or are far from all others in one", lost,
+                     cells.front().estimates.members);
 }
 
 std::vector<ComparedCell> compare_all(std::vector<Seen> const& cells, double scale, double confidence) {
@@ -175,7 +179,7 @@ Explanation explain(Design const& design, Levels const& levels) {
   found.bits = cells.front().bits;
   found.confidence = levels.confidence;
   found.left_out = leave_out(cells);
-  pair_members(cells);
+  if (auto const lost = pair_members(cells); !lost.empty()) found.left_out.push_back(lost);
   found.members = cells.front().statistics.members();
   if (found.members > 1 && cells.size() > 1) {
     double const each = 1 - (1 - levels.confidence) / static_cast<double>(cells.size() - 1);

@@ -71,7 +71,7 @@ struct Explanation {
   double confidence = 0.95;  ///< of all intervals of the compared cells together
   std::vector<ComparedCell> cells;
   std::vector<FactorialEffect> effects;  ///< none where the factorial is not complete
-  std::vector<std::string> left_out;     ///< cells that could not be compared, a sentence each
+  std::vector<std::string> left_out;     ///< cells and members that are not compared, a sentence each
   Subject subject = Subject::nothing;
   Cause cause = Cause::none_seen;
   std::string sentence;  ///< the cause with the numbers that show it
