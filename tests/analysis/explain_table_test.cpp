@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>  // mkdtemp
 
 #include <filesystem>
 #include <fstream>
@@ -12,6 +11,7 @@
 
 #include "analysis/causes.hpp"
 #include "analysis/causes_figure.hpp"
+#include "tests/scratch.hpp"
 
 namespace brouwer {
 namespace {
@@ -92,14 +92,13 @@ TEST(ExplainTable, OfNothingSaysSo) {
 }
 
 TEST(CausesFigure, HasAScriptAndDataBesideIt) {
-  std::string name = (std::filesystem::temp_directory_path() / "brouwer-causes-XXXXXX").string();
-  std::filesystem::path const folder = mkdtemp(name.data());
+  Scratch const folder;
   auto hostile = explanation();
   hostile.nominal.quantity = "energy' \"{of}\n`ls`";
   hostile.cells[1].drift_left = {35, {34, 36}};  // far beyond the axis
   auto nothing = explanation();
   nothing.subject = Subject::nothing;
-  auto const figures = draw_causes({explanation(), nothing, hostile}, folder, "svg");
+  auto const figures = draw_causes({explanation(), nothing, hostile}, folder.path(), "svg");
   for (auto const* file : {"causes-1.gp", "causes-1.dat", "causes-2.gp"}) EXPECT_TRUE(exists(folder / file)) << file;
   EXPECT_FALSE(exists(folder / "causes-3.gp"));
   bool const drawn = figures.note.find("gnuplot") == std::string::npos;  // where it is installed
@@ -107,7 +106,6 @@ TEST(CausesFigure, HasAScriptAndDataBesideIt) {
   std::ostringstream script;
   script << std::ifstream(folder / "causes-2.gp").rdbuf();
   EXPECT_THAT(script.str(), AllOf(HasSubstr("exact constants"), HasSubstr("3400 … 3600 %")));
-  remove_all(folder);
 }
 
 }  // namespace

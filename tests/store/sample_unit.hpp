@@ -1,39 +1,20 @@
 #pragma once
-// A small unit for the store's tests, in which every number is different, and a folder that goes with its test.
+// A small unit for the store's tests, in which every number is different.
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <limits>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 #include <brouwer/store/file.hpp>
 #include <brouwer/store/folder.hpp>
 #include <brouwer/store/hdf5.hpp>
 
+#include "tests/scratch.hpp"
+
 namespace brouwer {
-
-/// An empty folder of this process, removed at the end.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (std::filesystem::temp_directory_path() / "brouwer-store-XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  ~Scratch() {
-    std::error_code none;
-    std::filesystem::remove_all(path_, none);
-  }
-  Scratch(Scratch const&) = delete;
-  Scratch& operator=(Scratch const&) = delete;
-  std::filesystem::path operator/(std::filesystem::path const& name) const { return path_ / name; }
-  std::filesystem::path const& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 inline std::vector<double> distinct_numbers(std::size_t count, double scale) {
   std::vector<double> numbers(count);

@@ -2,66 +2,37 @@
 // truncation error, and none; each is named by the program.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>  // mkdtemp
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
+#include "tests/studies/program.hpp"
+
+namespace brouwer {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::Not;
 
-struct Said {
-  int status = -1;
-  std::string text;
-};
-
-/// A folder of its own for each test.
-struct Explain : testing::Test {
-  Explain() {
-    std::string name = (fs::temp_directory_path() / "brouwer-explain-XXXXXX").string();
-    folder = mkdtemp(name.data());
+struct Explain : ProgramTest {
+  void study(std::string const& system, std::string const& integrate, int members) const {
+    write("toy.toml", "[system." + system + "]\n[integrate]\n" + integrate +
+                          "\n[ensemble]\nmembers = " + std::to_string(members) +
+                          "\nseed = 7\nperturb = { momentum = { uniform = 1e-2 } }\n[observe]\n"
+                          "quantities = [\"energy\"]\nsamples = { count = 16, spacing = \"linear\" }\n");
   }
-  ~Explain() override { fs::remove_all(folder); }
-
-  void write(std::string const& integrate, std::string const& system, int members) const {
-    std::ofstream(folder / "toy.toml") << "[system." << system << "]\n[integrate]\n"
-                                       << integrate << "\n[ensemble]\nmembers = " << members
-                                       << "\nseed = 7\nperturb = { momentum = { uniform = 1e-2 } }\n"
-                                          "[observe]\nquantities = [\"energy\"]\n"
-                                          "samples = { count = 16, spacing = \"linear\" }\n";
-  }
-
-  Said brouwer(std::string const& arguments, char const* streams = " 2>&1") const {
-    std::string const line = "cd " + folder.string() + " && " + BROUWER_PROGRAM + " " + arguments + streams;
-    FILE* const pipe = popen(line.c_str(), "r");
-    Said said;
-    std::array<char, 4096> buffer{};
-    while (std::size_t const n = fread(buffer.data(), 1, buffer.size(), pipe)) said.text.append(buffer.data(), n);
-    int const status = pclose(pipe);
-    said.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-    return said;
-  }
-
-  fs::path folder;
 };
 
 /// Fehlberg's 13 stages, compensated: the coefficients as doubles have them make a bias of −7e-20 a step.
 TEST_F(Explain, FindsABiasOfRoundedCoefficients) {
-  std::ofstream(folder / "toy.toml")
-      << "[system.kepler]\n[integrate]\nmethods = \"fehlberg-8\"\ncompensation = true\nstep = 0.01\nsteps = 4000\n"
-         "[ensemble]\nmembers = 256\nseed = 7\n"
-         "perturb = { position = { uniform = 1e-2 }, momentum = { uniform = 1e-2 } }\n"
-         "[observe]\nquantities = [\"rounding-of-energy\"]\n"
-         "reference = { arithmetic = \"double-double\", members = 256 }\n"
-         "samples = { count = 16, spacing = \"linear\" }\n";
+  write("toy.toml",
+        "[system.kepler]\n[integrate]\nmethods = \"fehlberg-8\"\ncompensation = true\nstep = 0.01\nsteps = 4000\n"
+        "[ensemble]\nmembers = 256\nseed = 7\n"
+        "perturb = { position = { uniform = 1e-2 }, momentum = { uniform = 1e-2 } }\n"
+        "[observe]\nquantities = [\"rounding-of-energy\"]\n"
+        "reference = { arithmetic = \"double-double\", members = 256 }\n"
+        "samples = { count = 16, spacing = \"linear\" }\n");
   auto const said = brouwer("explain toy.toml --factors constants");
   EXPECT_EQ(said.status, 0) << said.text;
   EXPECT_THAT(said.text, AllOf(HasSubstr("The drift comes from the rounded constants: it vanishes ("),
@@ -69,7 +40,7 @@ TEST_F(Explain, FindsABiasOfRoundedCoefficients) {
 }
 
 TEST_F(Explain, FindsADirectedRounding) {
-  write("methods = \"elliptic-three-constants\"\nrounding = \"up\"\nstep = 0.01\nsteps = 2000", "rigid_body", 32);
+  study("rigid_body", "methods = \"elliptic-three-constants\"\nrounding = \"up\"\nstep = 0.01\nsteps = 2000", 32);
   auto const said = brouwer("explain toy.toml --factors rounding,precision --no-figures");
   EXPECT_EQ(said.status, 0) << said.text;
   EXPECT_THAT(said.text,
@@ -77,14 +48,14 @@ TEST_F(Explain, FindsADirectedRounding) {
 }
 
 TEST_F(Explain, FindsATruncationError) {
-  write("methods = \"kutta-4\"\nstep = 0.2\nsteps = 2000", "henon_heiles", 16);
+  study("henon_heiles", "methods = \"kutta-4\"\nstep = 0.2\nsteps = 2000", 16);
   auto const said = brouwer("explain toy.toml --no-figures");
   EXPECT_EQ(said.status, 0) << said.text;
   EXPECT_THAT(said.text, HasSubstr("a truncation error and not round-off"));
 }
 
 TEST_F(Explain, FindsNothingWhereThereIsNothing) {
-  write("methods = \"elliptic-three-constants\"\nstep = 0.01\nsteps = 2000", "rigid_body", 32);
+  study("rigid_body", "methods = \"elliptic-three-constants\"\nstep = 0.01\nsteps = 2000", 32);
   auto const said = brouwer("explain toy.toml --factors constants,precision --no-figures");
   EXPECT_EQ(said.status, 0) << said.text;
   EXPECT_THAT(said.text, HasSubstr("There is no drift to explain"));
@@ -92,19 +63,19 @@ TEST_F(Explain, FindsNothingWhereThereIsNothing) {
 
 /// Results lie in a folder of their own, and are taken up again; only what is asked for goes to standard output.
 TEST_F(Explain, ResumesItsDesign) {
-  write("methods = \"kutta-4\"\nstep = 0.2\nsteps = 200", "henon_heiles", 16);
-  auto const json = brouwer("explain toy.toml --format json -o design", " 2>/dev/null");
+  study("henon_heiles", "methods = \"kutta-4\"\nstep = 0.2\nsteps = 200", 16);
+  auto const json = shell(std::string(BROUWER_PROGRAM) + " explain toy.toml --format json -o design 2>/dev/null");
   EXPECT_EQ(json.status, 0);
   EXPECT_THAT(json.text, testing::StartsWith("[\n  {"));
   for (auto const* part : {"operations", "rounding", "contraction", "lower-precision", "higher-precision", "figures"})
     EXPECT_TRUE(fs::exists(folder / "design" / part)) << part;
   fs::remove(folder / "design/operations/units/cell-003/members-000000.h5");
-  auto const again = brouwer("explain toy.toml --format json -o design", " 2>/dev/null");
+  auto const again = shell(std::string(BROUWER_PROGRAM) + " explain toy.toml --format json -o design 2>/dev/null");
   EXPECT_EQ(again.text, json.text);
 }
 
 TEST_F(Explain, SaysWhatItWouldRun) {
-  write("methods = \"kutta-4\"\nstep = 0.2\nsteps = 200", "henon_heiles", 16);
+  study("henon_heiles", "methods = \"kutta-4\"\nstep = 0.2\nsteps = 200", 16);
   auto const said = brouwer("explain toy.toml --plan");
   EXPECT_EQ(said.status, 0);
   EXPECT_THAT(said.text,
@@ -113,7 +84,7 @@ TEST_F(Explain, SaysWhatItWouldRun) {
 }
 
 TEST_F(Explain, RefusesWhatItDoesNotKnow) {
-  write("methods = \"kutta-4\"\nstep = 0.2\nsteps = 200", "henon_heiles", 16);
+  study("henon_heiles", "methods = \"kutta-4\"\nstep = 0.2\nsteps = 200", 16);
   for (auto const& [arguments, words] :
        {std::pair{"explain toy.toml --factors compensate", "did you mean 'compensation'?"},
         std::pair{"explain toy.toml --format latex", "an explanation has no format 'latex'"},
@@ -126,3 +97,4 @@ TEST_F(Explain, RefusesWhatItDoesNotKnow) {
 }
 
 }  // namespace
+}  // namespace brouwer

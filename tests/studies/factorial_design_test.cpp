@@ -3,13 +3,14 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>  // mkdtemp
 
 #include <brouwer/error.hpp>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
+
+#include "tests/scratch.hpp"
 
 namespace brouwer {
 namespace {
@@ -25,17 +26,12 @@ Catalogue const& catalogue() {
 
 /// A study file for the time of a test.
 struct File {
-  explicit File(std::string const& text) {
-    std::string name = (std::filesystem::temp_directory_path() / "brouwer-design-XXXXXX").string();
-    folder = mkdtemp(name.data());
-    path = folder / "toy.toml";
-    std::ofstream(path) << text;
-  }
-  ~File() { std::filesystem::remove_all(folder); }
+  explicit File(std::string const& text) { std::ofstream(path) << text; }
   FactorialDesign design(std::vector<std::string> const& factors = {}) const {
     return design_around(path, catalogue(), {}, factors);
   }
-  std::filesystem::path folder, path;
+  Scratch folder;
+  std::filesystem::path path = folder / "toy.toml";
 };
 
 std::string study(std::string const& system, std::string const& integrate, std::string const& observe = "") {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>  // mkdtemp
 
 #include <cmath>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include "analysis/inference.hpp"
 #include "analysis/probe_table.hpp"
 #include "studies/read.hpp"
+#include "tests/scratch.hpp"
 
 namespace brouwer {
 namespace {
@@ -46,17 +46,15 @@ struct Probed {
   explicit Probed(Case const& c) {
     auto const file = study_of(c);
     auto const& cell = file.plan.cells.front();
-    std::string folder = (std::filesystem::temp_directory_path() / "brouwer-probe-XXXXXX").string();
-    mkdtemp(folder.data());
+    Scratch const folder;
     Progress progress;
-    run(file.study, file.text, catalogue(), file.plan, folder, {}, progress);
-    Results const results(folder);
+    run(file.study, file.text, catalogue(), file.plan, folder.path(), {}, progress);
+    Results const results(folder.path());
     for (auto const& errors : probe(file.study, catalogue(), cell, {}, {}).errors) {
       ProbedRow row{estimate(errors, Levels()), {}, estimate(results.load(0, errors.quantity), Levels())};
       row.prediction = predict(row.local, cell.steps);
       rows.push_back(row);
     }
-    std::filesystem::remove_all(folder);
   }
   std::vector<ProbedRow> rows;
 };

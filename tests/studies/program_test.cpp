@@ -1,15 +1,14 @@
 // The program as a user meets it: exit status and messages of the built binary.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>  // mkdtemp
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "tests/studies/program.hpp"
+
+namespace brouwer {
 namespace {
 
 namespace fs = std::filesystem;
@@ -17,11 +16,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
-
-struct Said {
-  int status = -1;
-  std::string text;
-};
 
 constexpr char const* small_study = R"(question = "A toy?"
 [system.rigid_body]
@@ -43,32 +37,9 @@ where = { method = "dmv-2" }
 drift = { per_step = [-1e-14, 1e-14] }
 )";
 
-/// A folder of its own for each test, with a small study in it.
-struct Program : testing::Test {
-  Program() {
-    std::string name = (fs::temp_directory_path() / "brouwer-test-XXXXXX").string();
-    folder = mkdtemp(name.data());
-    write("toy.toml", small_study);
-  }
-  ~Program() override { fs::remove_all(folder); }
-
-  void write(std::string const& name, std::string const& text) const { std::ofstream(folder / name) << text; }
-
-  /// Both streams of `brouwer ARGUMENTS`, run in the folder.
-  Said brouwer(std::string const& arguments) const { return shell(std::string(BROUWER_PROGRAM) + " " + arguments); }
-
-  Said shell(std::string const& command) const {
-    std::string const line = "cd " + folder.string() + " && { " + command + "; } 2>&1";
-    FILE* const pipe = popen(line.c_str(), "r");
-    Said said;
-    std::array<char, 4096> buffer{};
-    while (std::size_t const n = fread(buffer.data(), 1, buffer.size(), pipe)) said.text.append(buffer.data(), n);
-    int const status = pclose(pipe);
-    said.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-    return said;
-  }
-
-  fs::path folder;
+/// With a small study in its folder.
+struct Program : ProgramTest {
+  Program() { write("toy.toml", small_study); }
 };
 
 TEST_F(Program, TeachesItself) {
@@ -361,3 +332,4 @@ TEST_F(Program, CompletesInShells) {
 }
 
 }  // namespace
+}  // namespace brouwer
