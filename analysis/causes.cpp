@@ -58,13 +58,19 @@ constexpr Rule rules[] = {
     {Cause::not_resolved, [](Evidence const&) { return true; }},
 };
 
-bool is_seen(Estimates const& e) {
-  return (e.verdict == Verdict::drift || e.verdict == Verdict::faster_than_drift) && e.drift.p < e.levels.test;
+bool grows_faster(Estimates const& e) { return e.verdict == Verdict::faster_than_drift; }
+
+bool drifts(Estimates const& e) {
+  return (e.verdict == Verdict::drift || grows_faster(e)) && e.drift.p < e.levels.test;
+}
+
+bool keeps_slopes(Estimates const& e) {
+  return e.verdict == Verdict::persistent_slopes || (grows_faster(e) && e.persistence.p < e.levels.test);
 }
 
 Subject subject_of(Explanation const& e) {
-  if (is_seen(e.nominal)) return Subject::drift;
-  if (e.nominal.verdict == Verdict::persistent_slopes) return Subject::slopes;
+  if (drifts(e.nominal)) return Subject::drift;
+  if (keeps_slopes(e.nominal)) return Subject::slopes;
   bool const of_method = Evidence(e, Subject::size).fate(Change::higher_precision) == Fate::there;
   return of_method ? Subject::size : Subject::nothing;
 }

@@ -30,7 +30,9 @@ std::string factor(Share const& share) { return in_units(1, share); }
 
 std::string fate(Share const& share) { return std::isnan(share.value) ? "–" : in_a_word(share); }
 
-bool has_slopes(Explanation const& e) { return e.nominal.persistence.p < e.nominal.levels.test; }
+bool has_slopes(Explanation const& e) {
+  return e.subject == Subject::slopes || e.nominal.persistence.p < e.nominal.levels.test;
+}
 
 /// A column of the table of cells.
 struct CellColumn {
