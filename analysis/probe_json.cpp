@@ -16,6 +16,7 @@ class Object {
     return *this;
   }
   Object& text(char const* key, std::string const& value) { return add(key, json_string(value)); }
+  Object& flag(char const* key, bool value) { return add(key, value ? "true" : "false"); }
   Object& whole(char const* key, std::int64_t value) { return add(key, fmt::format("{}", value)); }
   Object& real(char const* key, double value) { return add(key, json_number(value)); }
   Object& interval(char const* key, Interval const& value) {
@@ -49,7 +50,7 @@ std::string json_of(LocalLaw const& law) {
       .add("persistence", json_of(law.persistence))
       .list("autocorrelation", law.autocorrelation)
       .list("sigma_by_scale", law.scales)
-      .add("still_changing", law.still_changing ? "true" : "false")
+      .flag("still_changing", law.still_changing)
       .json();
 }
 std::string json_of(Prediction const& p) {
@@ -71,15 +72,29 @@ std::string json_of(Estimates const& e) {
       .json();
 }
 std::string json_of(Agreement const& a) {
-  return Object().real("z", a.z).real("ratio", a.ratio).add("agrees", a.agrees ? "true" : "false").json();
+  return Object().real("z", a.z).real("ratio", a.ratio).flag("agrees", a.agrees).json();
+}
+
+/// How the operations of a step are carried out: apart, because "rounding" is what the probe has found of it.
+Object operations(CellLabels const& cell) {
+  return Object()
+      .text("rounding", cell.rounding)
+      .text("constants", cell.constants)
+      .flag("contraction", cell.contraction);
+}
+
+Object labels(CellLabels const& cell) {
+  Object object;
+  object.text("cell", describe(cell)).text("method", cell.method).text("arithmetic", cell.arithmetic);
+  object.text("special_functions", cell.special_functions).text("coefficients", cell.coefficients);
+  object.flag("compensation", cell.compensation).add("operations", operations(cell).json());
+  return object.real("step", cell.step).whole("steps", cell.steps);
 }
 
 std::string json_of(ProbedRow const& row) {
   auto const& local = row.local;
-  Object object;
-  object.text("cell", describe(local.cell)).text("method", local.cell.method).text("arithmetic", local.cell.arithmetic);
-  object.add("compensation", local.cell.compensation ? "true" : "false").real("step", local.cell.step);
-  object.whole("steps", local.cell.steps).text("quantity", local.quantity).text("unit", local.unit);
+  Object object = labels(local.cell);
+  object.text("quantity", local.quantity).text("unit", local.unit);
   object.text("high_precision", local.high_precision).whole("members", local.members).whole("failed", local.failed);
   object.whole("windows", local.windows).whole("length", local.length).whole("judged", local.judged);
   object.whole("covered", local.covered).add("rounding", json_of(local.rounding));
