@@ -105,13 +105,13 @@ constexpr Listing listings[] = {{"systems", list_systems},         {"methods", l
                                 {"arithmetics", list_arithmetics}, {"operations", list_operations},
                                 {"quantities", list_quantities},   {"studies", list_studies}};
 
+}  // namespace
+
 std::vector<std::string> listing_names() {
   std::vector<std::string> names;
   for (auto const& listing : listings) names.emplace_back(listing.name);
   return names;
 }
-
-}  // namespace
 
 int list(ListCommand const& command, Catalogue const& catalogue) {
   std::string const what = command.what == "integrators" ? "methods" : command.what;
