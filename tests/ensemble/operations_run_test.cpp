@@ -33,7 +33,8 @@ Study stochastic_study() {
   study.contraction = {false, true};
   study.quantities = {"energy"};
   study.reference = {};
-  study.steps = 60;
+  study.steps = 16;
+  study.samples = {4, Samples::Spacing::linear};
   study.members = 40;
   return study;
 }
@@ -125,7 +126,7 @@ Study study_of_turns(char const* system) {
   study.coefficients = {"standard", "split", "symplectic"};
   study.compensation = {false};
   study.step = {std::string(system) == "outer_solar_system" ? 100.0 : 0.1};
-  study.steps = 32;
+  study.steps = 16;
   study.members = 4;
   study.perturb = {{"position", {Perturbation::Law::uniform, 1e-3}}};
   study.quantities = {"iterations"};

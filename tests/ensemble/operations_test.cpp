@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "tests/ensemble/small_study.hpp"
@@ -96,6 +97,30 @@ void expect_other_last_digits(CellLabels const& cell, std::vector<Start> const& 
     EXPECT_NEAR(other[c], standard[c], 1e-11 * (1 + std::abs(standard[c]))) << what;
 }
 
+/// h, and a number of steps in which no method fails but fused products show.
+std::pair<double, std::int64_t> short_way(std::string const& system) {
+  static std::map<std::string, std::pair<double, std::int64_t>> const own = {{"outer_solar_system", {10, 60}},
+                                                                             {"kepler", {0.005, 600}},
+                                                                             {"double_well", {0.02, 600}},
+                                                                             {"henon_heiles", {0.03, 600}}};
+  auto const found = own.find(system);
+  return found == own.end() ? std::pair{0.05, std::int64_t{600}} : found->second;
+}
+
+/// Has a step a product that is added to anything but 0, and that is no number by itself? A pendulum's force is a sine alone:
+/// there is nothing to fuse where a stage is y + hk, or y + hk/2. (gauss-4 has one, in its stages, a digit of which reaches
+/// the state once in thousands of steps.)
+bool fuses(MethodEntry const& method) {
+  static std::set<std::string> const none = {"symplectic-euler-kick-drift",
+                                             "symplectic-euler-drift-kick",
+                                             "explicit-euler",
+                                             "runge-2",
+                                             "implicit-euler",
+                                             "gauss-2",
+                                             "gauss-4"};
+  return method.system != "pendulum" || !none.contains(method.name);
+}
+
 /// Every method that runs in lanes has each of them. A fused product seldom changes a sum that is much larger: it takes
 /// some steps. (Constants may be exact as they are.)
 TEST(FactorsOfOperations, ChangeTheBitsOfEveryMethod) {
@@ -106,7 +131,7 @@ TEST(FactorsOfOperations, ChangeTheBitsOfEveryMethod) {
     for (auto const& field : system.fields)
       if (!field.parameter) study.perturb[field.name] = {Perturbation::Law::uniform, 0.03};
     auto const start = member_starts(study, system, "double", 0, 6);
-    double const h = method.system == "outer_solar_system" ? 10 : 0.05;
+    auto const [h, steps] = short_way(method.system);
     CellLabels cell{method.system,
                     method.name,
                     "double",
@@ -114,15 +139,17 @@ TEST(FactorsOfOperations, ChangeTheBitsOfEveryMethod) {
                     levels_or_none(method.coefficients).front(),
                     false,
                     h,
-                    1000};
-    auto const standard = final_states(cell, start, {}, {1000});
+                    steps};
+    auto const standard = final_states(cell, start, {}, {steps});
+    for (double const component : standard)
+      ASSERT_TRUE(std::isfinite(component)) << method.system << ' ' << method.name;
     for (auto const* rounding : {"up", "down", "toward-zero", "stochastic"}) {
       cell.rounding = rounding;
       expect_other_last_digits(cell, start);
     }
     cell.rounding = "nearest";
     cell.contraction = true;
-    EXPECT_NE(final_states(cell, start, {}, {1000}), standard) << method.system << ' ' << method.name;
+    EXPECT_EQ(final_states(cell, start, {}, {steps}) != standard, fuses(method)) << method.system << ' ' << method.name;
   }
 }
 
