@@ -65,6 +65,8 @@ void list_operations(Catalogue const&) {
   fmt::print("  {:<16} {}: whether the method's constants keep what rounding takes from them\n", "constants",
              fmt::join(constants_levels(), ", "));
   fmt::print("  {:<16} false, true: whether products that are added are fused with the sum\n", "contraction");
+  fmt::print(
+      "  In float and double, with our own elliptic functions, for methods that run in lanes; number by number.\n");
 }
 
 void list_quantities(Catalogue const& catalogue) {
