@@ -49,12 +49,26 @@ std::string json_of(Agreement const& a) {
   return JsonObject().real("z", a.z).real("ratio", a.ratio).flag("agrees", a.agrees).json();
 }
 
+/// How the operations of a step are carried out: apart, because "rounding" is what the probe has found of it.
+JsonObject operations(CellLabels const& cell) {
+  return JsonObject()
+      .text("rounding", cell.rounding)
+      .text("constants", cell.constants)
+      .flag("contraction", cell.contraction);
+}
+
+JsonObject labels(CellLabels const& cell) {
+  JsonObject object;
+  object.text("cell", describe(cell)).text("method", cell.method).text("arithmetic", cell.arithmetic);
+  object.text("special_functions", cell.special_functions).text("coefficients", cell.coefficients);
+  object.flag("compensation", cell.compensation).add("operations", operations(cell).json());
+  return object.real("step", cell.step).whole("steps", cell.steps);
+}
+
 std::string json_of(ProbedRow const& row) {
   auto const& local = row.local;
-  JsonObject object;
-  object.text("cell", describe(local.cell)).text("method", local.cell.method).text("arithmetic", local.cell.arithmetic);
-  object.flag("compensation", local.cell.compensation).real("step", local.cell.step);
-  object.whole("steps", local.cell.steps).text("quantity", local.quantity).text("unit", local.unit);
+  JsonObject object = labels(local.cell);
+  object.text("quantity", local.quantity).text("unit", local.unit);
   object.text("high_precision", local.high_precision).whole("members", local.members).whole("failed", local.failed);
   object.whole("windows", local.windows).whole("length", local.length).whole("judged", local.judged);
   object.whole("covered", local.covered).add("rounding", json_of(local.rounding));

@@ -125,5 +125,7 @@ int baseline(BaselineCommand const& command, Catalogue const& catalogue);
 int fit(FitCommand const& command);
 int integrate(IntegrateCommand const& command, Catalogue const& catalogue);
 int list(ListCommand const& command, Catalogue const& catalogue);
+/// What `list` can be asked for.
+std::vector<std::string> listing_names();
 
 }  // namespace brouwer

@@ -5,6 +5,8 @@
 #include <brouwer/error.hpp>
 #include <brouwer/spelling.hpp>
 
+#include "studies/commands/commands.hpp"
+
 namespace brouwer {
 namespace {
 
@@ -43,12 +45,12 @@ std::string bash_script(CLI::App const& app) {
   if [[ $word == -* ]]; then
     COMPREPLY=($(compgen -W "$options" -- "$word"))
   elif [[ ${{COMP_WORDS[1]}} == list ]]; then
-    COMPREPLY=($(compgen -W "systems methods arithmetics quantities studies" -- "$word"))
+    COMPREPLY=($(compgen -W "{2}" -- "$word"))
   fi
 }}
 complete -o default -F _brouwer brouwer
 )",
-                     names_of(app), branches(app, "    {}) options='{}' ;;\n"));
+                     names_of(app), branches(app, "    {}) options='{}' ;;\n"), fmt::join(listing_names(), " "));
 }
 
 std::string zsh_script(CLI::App const& app) {
@@ -64,14 +66,14 @@ _brouwer() {{
   if [[ $PREFIX == -* ]]; then
     compadd -- $options
   elif [[ ${{words[2]}} == list ]]; then
-    compadd -- systems methods arithmetics quantities studies
+    compadd -- {2}
   else
     _files
   fi
 }}
 _brouwer "$@"
 )",
-                     names_of(app), branches(app, "    {}) options=({}) ;;\n"));
+                     names_of(app), branches(app, "    {}) options=({}) ;;\n"), fmt::join(listing_names(), " "));
 }
 
 }  // namespace

@@ -65,6 +65,8 @@ void list_operations(Catalogue const&) {
   fmt::print("  {:<16} {}: whether the method's constants keep what rounding takes from them\n", "constants",
              fmt::join(constants_levels(), ", "));
   fmt::print("  {:<16} false, true: whether products that are added are fused with the sum\n", "contraction");
+  fmt::print(
+      "  In float and double, with our own elliptic functions, for methods that run in lanes; number by number.\n");
 }
 
 void list_quantities(Catalogue const& catalogue) {
@@ -105,13 +107,13 @@ constexpr Listing listings[] = {{"systems", list_systems},         {"methods", l
                                 {"arithmetics", list_arithmetics}, {"operations", list_operations},
                                 {"quantities", list_quantities},   {"studies", list_studies}};
 
+}  // namespace
+
 std::vector<std::string> listing_names() {
   std::vector<std::string> names;
   for (auto const& listing : listings) names.emplace_back(listing.name);
   return names;
 }
-
-}  // namespace
 
 int list(ListCommand const& command, Catalogue const& catalogue) {
   std::string const what = command.what == "integrators" ? "methods" : command.what;

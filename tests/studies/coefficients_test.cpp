@@ -2,20 +2,13 @@
 #include <brouwer/ensemble/probe.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>  // mkdtemp
 
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <vector>
-
-#include "studies/program.hpp"
 #include "studies/read.hpp"
+#include "tests/studies/in_process.hpp"
 
 namespace brouwer {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
@@ -51,32 +44,14 @@ Catalogue const& catalogue() {
   return with_preprocessed;
 }
 
-struct StudyOfCoefficients : testing::Test {
-  StudyOfCoefficients() {
-    std::string name = (fs::temp_directory_path() / "brouwer-test-XXXXXX").string();
-    folder = mkdtemp(name.data());
-    std::ofstream(study()) << study_text;
-  }
-  ~StudyOfCoefficients() override { fs::remove_all(folder); }
-
-  std::string study() const { return (folder / "toy.toml").string(); }
-  std::string results() const { return (folder / "results").string(); }
-
-  /// What `brouwer ARGUMENTS` writes to standard output.
-  std::string said(std::vector<char const*> arguments) const {
-    arguments.insert(arguments.begin(), "brouwer");
-    testing::internal::CaptureStdout();
-    EXPECT_EQ(program(static_cast<int>(arguments.size()), arguments.data(), catalogue()), 0);
-    return testing::internal::GetCapturedStdout();
-  }
-
-  fs::path folder;
+struct StudyOfCoefficients : InProcess {
+  StudyOfCoefficients() : InProcess(study_text, catalogue()) {}
 };
 
 TEST_F(StudyOfCoefficients, IsRunTabulatedAndJudged) {
-  auto const run = said({"run", study().c_str(), "-o", results().c_str(), "--no-figures"});
+  auto const run = said({"run", study(), "-o", results(), "--no-figures"});
   EXPECT_THAT(run, HasSubstr("PASS  energy, preprocessed, double, per-trajectory coefficients, h = 0.01"));
-  auto const table = said({"table", results().c_str(), "--format", "csv"});
+  auto const table = said({"table", results(), "--format", "csv"});
   EXPECT_THAT(table, AllOf(HasSubstr("rigid_body,dmv-2,double,-,-,false"),
                            HasSubstr("rigid_body,preprocessed,double,-,per-step,false"),
                            HasSubstr("rigid_body,preprocessed,double,-,per-trajectory,false")));

@@ -87,6 +87,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"gauss_16", "henon_heiles",
                          "methods = \"gauss-16\"\ncoefficients = \"standard\"\nstep = 0.3\nsteps = 10000",
                          "position = { uniform = 1e-2 }", "quantities = \"energy\""},
+                    Case{"naive_by_stochastic_rounding", "rigid_body",
+                         "methods = \"elliptic-naive\"\nrounding = \"stochastic\"\nstep = 0.01\nsteps = 5000",
+                         "momentum = { uniform = 1e-2 }", "quantities = \"energy\""},
                     pendulum),
     [](auto const& test) { return test.param.name; });
 

@@ -93,6 +93,18 @@ TEST(EllipticForms, GrowAsTheirStudyExpects) {
   }
 }
 
+TEST(EllipticOperations, ShowWhatTheirStudyExpects) {
+  StudyRun const study(studies / "elliptic-operations.toml",
+                       {"ensemble.members=16", "integrate.steps=2000", "integrate.contraction=false"});
+  EXPECT_THAT(study.outcomes(), Each(Passed()));
+  auto const t = [&](char const* rounding, char const* constants) {
+    return study.row("energy", {.rounding = rounding, .constants = constants}).drift.t;
+  };
+  EXPECT_LT(t("nearest", "exact"), -10) << "exact constants alone do not remove the drift";
+  EXPECT_LT(t("stochastic", "rounded"), -10) << "nor does rounding without bias";
+  EXPECT_GT(t("stochastic", "exact"), -4);
+}
+
 TEST(Bodies, DriftAsTheirStudyExpects) {
   StudyRun const study(studies / "bodies.toml", {"ensemble.members=128"});
   EXPECT_THAT(study.outcomes(), Each(Passed()));

@@ -18,6 +18,16 @@ std::size_t place_of(std::string const& level, std::vector<std::string> const& l
   return static_cast<std::size_t>(found - levels.begin());
 }
 
+/// "rounding up, exact constants": what is not the processor's.
+std::string chosen_operations(CellLabels const& cell) {
+  CellLabels const standard;
+  std::vector<std::string> chosen;
+  if (cell.rounding != standard.rounding) chosen.push_back("rounding " + cell.rounding);
+  if (cell.constants != standard.constants) chosen.push_back(cell.constants + " constants");
+  if (cell.contraction) chosen.emplace_back("contraction");
+  return fmt::format("{}", fmt::join(chosen, ", "));
+}
+
 }  // namespace
 
 std::vector<std::string> const& rounding_levels() {
@@ -37,12 +47,11 @@ OperationRule operation_rule(CellLabels const& cell) {
 
 std::string no_such_operations(CellLabels const& cell) {
   if (operation_rule(cell).standard()) return "";
-  std::string const what = fmt::format("rounding '{}' with {} constants{}", cell.rounding, cell.constants,
-                                       cell.contraction ? " and contraction" : "");
+  auto const step = "a step with " + chosen_operations(cell);
   if (cell.arithmetic != "float" && cell.arithmetic != "double")
-    return fmt::format("{} exists in float and double only, not in {}", what, cell.arithmetic);
+    return fmt::format("{} exists in float and double only, not in {}", step, cell.arithmetic);
   if (cell.special_functions != no_level && cell.special_functions != "own")
-    return fmt::format("{} does not reach into the '{}' elliptic functions, only into our own", what,
+    return fmt::format("{} does not reach into the '{}' elliptic functions, only into our own", step,
                        cell.special_functions);
   return "";
 }
