@@ -77,15 +77,31 @@ double p_between(Fits const& fits, LawTerms const& smaller, LawTerms const& larg
   return yardstick.p(fits[place_of(smaller)].deviance - fits[place_of(larger)].deviance);
 }
 
+/// Of the variance of the errors at the end, T²Σ(sᵢ⁰ − s̄⁰)²/(M−1), against what the law says.
+double end_p(GrowthStatistics const& statistics, GrowthFit const& fit, double inflation) {
+  double const time = statistics.duration(), dof = (statistics.members() - 1) / inflation;
+  double const expected = fit.tau2 + fit.sigma2() / time + fit.nu2() / (time * time);
+  double const chi2 = statistics.slope_spread() / expected / inflation;
+  return std::min(1.0, 2 * std::min(chi_squared_upper(chi2, dof), chi_squared_lower(chi2, dof)));
+}
+
+/// Do the members end further apart than walk and noise let them?
+bool only_slopes_explain(Fits const& fits, GrowthStatistics const& statistics, double level,
+                         Yardstick const& yardstick) {
+  return end_p(statistics, fits[place_of({true, false, true})], yardstick.inflation) < level;
+}
+
 /// Beside noise a few late samples of a walk look like slopes, and either may do without the other: slopes are called
-/// so where they are needed beside a walk; what grows otherwise is a walk.
+/// so where they are needed beside a walk; what grows otherwise is a walk. Needed they are where the signs agree, or,
+/// as noise blurs these, where walk and noise alone do not reach the spread at the end.
 /// @param p_signs  of slopes, where they and the walk are both needed
-LawTerms choose_beside_noise(Fits const& fits, double level, double p_signs, Yardstick const& yardstick,
-                             FullModel& model) {
+LawTerms choose_beside_noise(Fits const& fits, GrowthStatistics const& statistics, double level, double p_signs,
+                             Yardstick const& yardstick, FullModel& model) {
   LawTerms terms{true, true, true};
   model.p_walk = p_between(fits, {false, true, true}, terms, yardstick);
   model.p_slopes = p_between(fits, {true, false, true}, terms, yardstick);
-  if (model.p_walk < level) model.p_slopes = std::max(model.p_slopes, p_signs);
+  if (model.p_walk < level && !only_slopes_explain(fits, statistics, level, yardstick))
+    model.p_slopes = std::max(model.p_slopes, p_signs);
   terms.slopes = model.p_slopes < level;
   if (!terms.slopes) model.p_walk = p_between(fits, {false, false, true}, {true, false, true}, yardstick);
   terms.walk = model.p_walk < level;
@@ -93,9 +109,10 @@ LawTerms choose_beside_noise(Fits const& fits, double level, double p_signs, Yar
 }
 
 /// model.p_slopes is that of F, which decides where there is no noise.
-LawTerms choose(Fits const& fits, double level, double p_signs, Yardstick const& yardstick, FullModel& model) {
+LawTerms choose(Fits const& fits, GrowthStatistics const& statistics, double level, double p_signs,
+                Yardstick const& yardstick, FullModel& model) {
   model.p_noise = p_between(fits, {true, true, false}, {true, true, true}, yardstick);
-  if (model.p_noise < level) return choose_beside_noise(fits, level, p_signs, yardstick, model);
+  if (model.p_noise < level) return choose_beside_noise(fits, statistics, level, p_signs, yardstick, model);
   model.p_walk = 0;
   return {true, model.p_slopes < level, false};
 }
@@ -105,14 +122,6 @@ double course_p(GrowthStatistics const& statistics, double rho) {
   auto const r = statistics.at(rho);
   double const m = statistics.times() - 1, n = m * (statistics.members() - 1);
   return fisher_upper(r.course / m / ((r.residual - r.course) / n), m, n);
-}
-
-/// Of the variance of the errors at the end, T²Σ(sᵢ⁰ − s̄⁰)²/(M−1), against what the law says.
-double end_p(GrowthStatistics const& statistics, GrowthFit const& fit) {
-  double const time = statistics.duration(), dof = statistics.members() - 1;
-  double const expected = fit.tau2 + fit.sigma2() / time + fit.nu2() / (time * time);
-  double const chi2 = statistics.slope_spread() / expected;
-  return std::min(1.0, 2 * std::min(chi_squared_upper(chi2, dof), chi_squared_lower(chi2, dof)));
 }
 
 void test_drift(FullModel& model, GrowthFit const& fit, GrowthStatistics const& statistics, Units const& units,
@@ -140,9 +149,9 @@ double boundary_p(double twice_ratio) {
 }
 
 std::optional<FullModel> growth_model(Ensemble const& ensemble, Units const& units, Levels const& levels,
-                                      Tails const& tails, double slopes_p) {
+                                      Tails const& tails, double slopes_p, MeanCourse course) {
   if (ensemble.errors.rows() < 2 || ensemble.errors.cols() < 3) return std::nullopt;
-  GrowthStatistics const statistics(ensemble, units);
+  GrowthStatistics const statistics(ensemble, units, course);
   if (!leaves_a_choice(statistics)) return std::nullopt;
   GrowthLikelihood const likelihood(statistics);
   auto const fits = fits_of(likelihood);
@@ -150,11 +159,11 @@ std::optional<FullModel> growth_model(Ensemble const& ensemble, Units const& uni
   model.candidates = candidates_of(fits, units);
   model.p_slopes = slopes_p;
   auto const measure = yardstick(tails, statistics.members());
-  auto const terms = choose(fits, levels.test, doubling_signs_p(ensemble, units), measure, model);
+  auto const terms = choose(fits, statistics, levels.test, doubling_signs_p(ensemble, units), measure, model);
   model.chosen = place_of(terms);
   auto const& chosen = fits[model.chosen];
   model.p_course = course_p(statistics, chosen.rho);
-  model.p_end = end_p(statistics, chosen);
+  model.p_end = end_p(statistics, chosen, 1);
   test_drift(model, chosen, statistics, units, levels.confidence);
   auto const intervals = profile_intervals(likelihood, chosen, terms, levels.confidence, measure.inflation);
   model.diffusion = units.sqrt_rate(intervals.sigma);

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "analysis/growth_statistics.hpp"
 #include "analysis/tails.hpp"
 
 namespace brouwer {
@@ -38,10 +39,11 @@ namespace brouwer {
 /// at the end over what the law says it is, χ²(M−1)/(M−1), two-sided. A law that either contradicts is not used.
 ///
 /// @param slopes_p  of F, for the choice without noise
+/// @param course    free: of members about their mean (without_mean); what is said of β and the course is then empty
 /// @return nothing where there is no choice: M < 2, J < 3, members that do not differ, a rest that is zero
 /// Cost: MJ²/2 multiplications and about 5000 J²: docs/statistics.md has the time of 10⁵ members at 200 times.
 std::optional<FullModel> growth_model(Ensemble const& ensemble, Units const& units, Levels const& levels,
-                                      Tails const& tails, double slopes_p);
+                                      Tails const& tails, double slopes_p, MeanCourse course = MeanCourse::straight);
 
 /// P(½χ²(0) + ½χ²(1) ≥ x): of twice a log-likelihood ratio with one variance at its boundary. 1 for x ≤ 0.
 double boundary_p(double twice_ratio);

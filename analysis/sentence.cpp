@@ -42,8 +42,9 @@ std::string drift(Estimates const& e) {
 
 std::string no_drift(Estimates const& e) {
   if (std::isnan(e.drift.t)) return "every error at the end is zero, so there is no drift";
-  if (e.drift.p < e.levels.test && e.transient)
-    return fmt::format("the slope to the end ({}) is no drift: it comes from the beginning", t_test(e));
+  if (auto const& whole = e.slope_to_the_end(); whole.p < e.levels.test && e.transient)
+    return fmt::format("the slope to the end (t = {}, {}) is no drift: it comes from the beginning", number(whole.t, 3),
+                       probability(whole.own_p()));
   return fmt::format("no drift is seen ({}; its estimate explains {} of the final RMS)", t_test(e),
                      percent(e.drift.share));
 }
@@ -61,6 +62,15 @@ std::string visible(Estimates const& e) {
                      per(e), levels);
 }
 
+/// What the mean does beside a drift.
+std::string course_of(Estimates const& e) {
+  return fmt::format(
+      "the mean of all members is no straight line ({}): it keeps within ±{} of one, as an oscillation does that the "
+      "step "
+      "does not resolve (a truncation error)",
+      probability(e.model->p_course), brief(e.course->reach));
+}
+
 std::string drift_sentence(Estimates const& e) {
   if (std::isinf(e.drift.t))
     return fmt::format(
@@ -68,7 +78,8 @@ std::string drift_sentence(Estimates const& e) {
         "members should differ, check what perturbs them",
         e.members, brief(e.drift.per_step), per(e));
   std::string const beside = e.samples > 1 ? "; beside it the error spreads by " + diffusion(e) : "";
-  return "the error grows on average by " + drift(e) + beside;
+  std::string const course = e.course && !e.transient ? "; " + course_of(e) : "";
+  return "the error grows on average by " + drift(e) + beside + course;
 }
 
 std::string slopes_test(Estimates const& e) {
@@ -128,6 +139,8 @@ std::string bounded_part(Estimates const& e) {
 
 std::string obstacle(Estimates const& e) {
   double const half = (e.growth.interval.high - e.growth.interval.low) / 2;
+  if (e.course && !e.transient)
+    return course_of(e) + "; compare with the same method in higher precision, or take a smaller step";
   if (e.members < 2) return "there is one member only, and drift and persistence show in how members differ; run more";
   if (e.samples < 2) return "there is one sample time only, so growth cannot be seen; observe at more times";
   if (std::isnan(half)) return "too few sample times have a non-zero error to fit a law of growth; run longer";

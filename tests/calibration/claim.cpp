@@ -97,16 +97,20 @@ Names const brownian = {"walk", "drift", "visible drift", "strong drift"};
 Names const brownian_or_slopes = brownian + Names{"slopes"};
 Names const correlated = {"AR +0.3", "AR −0.3"};
 Names const heavy = {"t(5)", "t(3)", "skewed", "unequal", "wild"};
-Names const shared = {"transient", "oscillation"};
+Names const waves = {"oscillation", "slow wave", "fast wave", "drift + wave", "wave of all"};
+Names const shared = waves + Names{"transient"};
+Names const noisy_heavy = {"t(3) + noise", "unequal + noise"};
 Names const noisy = {"noise", "all"};
 /// Members are independent and their errors normal: the laws of β and t are exact whatever else grows or does not.
 Names const normal = brownian + correlated + noisy + Names{"slopes", "bounded"};
 Names const uncorrelated = brownian_or_slopes + heavy;
 Names const gaussian = brownian_or_slopes + correlated;
 Names const drifting = {"drift", "visible drift", "strong drift", "all"};
-Names const no_drift = Names{"walk", "slopes", "noise", "bounded"} + correlated + heavy + shared;
-Names const no_slopes = brownian + Names{"noise"} + correlated + heavy + shared;
-Names const no_noise = brownian_or_slopes + correlated + heavy + shared;
+Names const still_waves = {"oscillation", "slow wave", "fast wave"};
+Names const no_drift =
+    Names{"walk", "slopes", "noise", "bounded"} + correlated + heavy + still_waves + Names{"transient"} + noisy_heavy;
+Names const no_slopes = brownian + Names{"noise"} + correlated + heavy + still_waves + Names{"transient"} + noisy_heavy;
+Names const no_noise = brownian_or_slopes + correlated + heavy + still_waves + Names{"transient"};
 
 // --- and how often it is to be so -------------------------------------------------------------------------------------
 
@@ -133,7 +137,12 @@ std::vector<Claim> const all = {
     {"slopes where there are none, p < 0.001", at_01, slopes_at_01, no_slopes, brownian, 2, 2, true},
     {"F too small for a walk, p < 0.05", at_5, low_F_at_5, no_slopes, brownian},
     {"noise chosen where there is none", at_01, noise_chosen, no_noise, brownian_or_slopes, 2, 2, true},
-    {"slopes found beside noise where there are none", at_01, slopes_beside_noise, {"noise", "bounded"}, {"noise"}, 8},
+    {"slopes found beside noise where there are none",
+     at_01,
+     slopes_beside_noise,
+     Names{"noise", "bounded"} + noisy_heavy,
+     {"noise"},
+     8},
     {"a walk found beside noise where there is none", at_01, walk_beside_noise, {"bounded"}, {"bounded"}, 8},
     {"mean of the members not straight, p < 0.05", at_5, course_at_5, normal + heavy, brownian_or_slopes},
     {"spread at the end not the law's, p < 0.05", at_5, end_at_5, normal + heavy, {}},
@@ -146,8 +155,8 @@ std::vector<Claim> const all = {
     {"|β| < δ proven where β = δ, p < 0.05", at_5, proven_small, drifting, drifting},
     {"verdict 'drift' where there is none", at_01, called_drift, no_drift, {"walk", "slopes", "noise"}, 2, 2, true},
     {"the smallest visible drift is seen, p < 0.001", visible, drift_at_01, {"visible drift"}, {"visible drift"}},
-    {"power: noise is chosen", told, noise_chosen, noisy + Names{"bounded"}, {}},
-    {"power: slopes are chosen", told, slopes_chosen, {"slopes", "all"}, {}},
+    {"power: noise is chosen", told, noise_chosen, noisy + Names{"bounded"} + noisy_heavy, {}},
+    {"power: slopes are chosen", told, slopes_chosen, {"slopes", "all", "wave of all"}, {}},
     {"power: a transient is found", told, transient_found, shared, {}},
     {"power: increments are correlated, p < 0.05", told, correlated_at_5, correlated + noisy, {}},
     {"power: variance ratios are not 1, p < 0.05", told, ratio_at_5, correlated + noisy, {}},
