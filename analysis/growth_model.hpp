@@ -2,7 +2,6 @@
 #include <optional>
 
 #include "analysis/growth_statistics.hpp"
-#include "analysis/tails.hpp"
 
 namespace brouwer {
 
@@ -16,7 +15,10 @@ namespace brouwer {
 ///
 ///     noise    walk + slopes + noise against walk + slopes
 ///     slopes   if there is noise: the same against walk + noise, and where the walk is needed as well (against noise +
-///              slopes) the signs (doubling_signs_p) must agree; without noise: the F test, whose p is given
+///              slopes) the signs (doubling_signs_p) must agree or the spread at the end contradict walk + noise, with
+///              a variance as uncertain as the kurtosis of the errors at the end makes it; without noise: the F test,
+///              whose p is given. If only for normal errors the spread at the end contradicts walk + noise, slopes are
+///              in the law but not seen: p_slopes stays at least a
 ///     walk     if there is noise: needed beside slopes if there are such, otherwise walk + noise against noise
 ///
 /// (Slopes are never held against noise alone: of few late samples above noise a walk looks like slopes.)
@@ -44,8 +46,5 @@ namespace brouwer {
 /// Cost: MJ²/2 multiplications and about 5000 J²: docs/statistics.md has the time of 10⁵ members at 200 times.
 std::optional<FullModel> growth_model(Ensemble const& ensemble, Units const& units, Levels const& levels,
                                       Tails const& tails, double slopes_p, MeanCourse course = MeanCourse::straight);
-
-/// P(½χ²(0) + ½χ²(1) ≥ x): of twice a log-likelihood ratio with one variance at its boundary. 1 for x ≤ 0.
-double boundary_p(double twice_ratio);
 
 }  // namespace brouwer

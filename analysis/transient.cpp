@@ -8,7 +8,8 @@
 namespace brouwer {
 namespace {
 
-constexpr double early = 0.25;  // of the whole time: what begins later is no beginning
+constexpr double early = 0.25;            // of the whole time: what begins later is no beginning
+constexpr Eigen::Index fewest_after = 2;  // samples between it and the last: one or none cannot tell a line from a wave
 
 /// Mean and spread over members of some number of each.
 struct Sample {
@@ -74,7 +75,8 @@ std::optional<Transient> transient_of(Ensemble const& ensemble, Units const& uni
   Course const course(ensemble, units);
   if (!(Sample{course.slopes(-1, course.last())}.standard_error() > 0)) return std::nullopt;  // equal members
   double const p = course.straight_p(-1);
-  Eigen::Index const latest = course.last_before(early * course.time(course.last()));
+  Eigen::Index const latest =
+      std::min(course.last_before(early * course.time(course.last())), course.last() - 1 - fewest_after);
   if (!(p < levels.test) || latest < 0 || course.straight_p(latest) < levels.test) return std::nullopt;
   Eigen::Index const end = settled(course, -1, latest, levels.test);
   auto const after = Sample{course.slopes(end, course.last())};

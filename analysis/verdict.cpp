@@ -70,9 +70,14 @@ bool drifts_beside_a_course(Estimates const& e) { return shares_a_course(e) && d
 
 bool drifts_beside_noise(Estimates const& e) { return noise_in_force(e) && drift_is_seen(e); }
 
-bool slopes_beside_noise(Estimates const& e) { return noise_in_force(e) && e.model->law().terms.slopes; }
+/// In the law, and seen.
+bool slopes_beside_noise(Estimates const& e) {
+  return noise_in_force(e) && e.model->law().terms.slopes && e.model->p_slopes < e.levels.test;
+}
 
-bool walks_beside_noise(Estimates const& e) { return noise_in_force(e) && e.model->law().terms.walk; }
+bool walks_beside_noise(Estimates const& e) {
+  return noise_in_force(e) && e.model->law().terms.walk && !e.model->law().terms.slopes;
+}
 
 bool walks(Estimates const& e) {
   auto const [low, high] = e.growth.interval;

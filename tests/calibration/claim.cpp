@@ -54,7 +54,7 @@ Answer walk_beside_noise(Trial const& t) {
 }
 Answer slopes_beside_noise(Trial const& t) {
   if (!t.estimates.model || !t.estimates.model->law().terms.noise) return {};
-  return t.estimates.model->law().terms.slopes;
+  return t.estimates.model->law().terms.slopes && t.estimates.model->p_slopes < t.estimates.levels.test;
 }
 Answer course_at_5(Trial const& t) {
   return of_model(t, [](FullModel const& m) { return m.p_course < 0.05; });
