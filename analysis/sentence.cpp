@@ -62,6 +62,8 @@ std::string visible(Estimates const& e) {
                      per(e), levels);
 }
 
+bool shares_a_course(Estimates const& e) { return e.course && !e.transient; }
+
 /// What the mean does beside a drift.
 std::string course_of(Estimates const& e) {
   return fmt::format(
@@ -71,6 +73,8 @@ std::string course_of(Estimates const& e) {
       probability(e.model->p_course), brief(e.course->reach));
 }
 
+std::string course_in_words(Estimates const& e) { return shares_a_course(e) ? "; " + course_of(e) : ""; }
+
 std::string drift_sentence(Estimates const& e) {
   if (std::isinf(e.drift.t))
     return fmt::format(
@@ -78,8 +82,7 @@ std::string drift_sentence(Estimates const& e) {
         "members should differ, check what perturbs them",
         e.members, brief(e.drift.per_step), per(e));
   std::string const beside = e.samples > 1 ? "; beside it the error spreads by " + diffusion(e) : "";
-  std::string const course = e.course && !e.transient ? "; " + course_of(e) : "";
-  return "the error grows on average by " + drift(e) + beside + course;
+  return "the error grows on average by " + drift(e) + beside + course_in_words(e);
 }
 
 std::string slopes_test(Estimates const& e) {
@@ -96,8 +99,8 @@ std::string persistent_sentence(Estimates const& e) {
 std::string bounded_sentence(Estimates const& e) {
   return fmt::format(
       "the error does not grow: {}, RMS {} at the end; it is spread less than a random walk of its "
-      "increments would be (F = {}, {}); its mean stays",
-      exponent(e), brief(e.rms_final), brief(e.persistence.F), probability(e.persistence.p_low));
+      "increments would be (F = {}, {}); its mean stays{}",
+      exponent(e), brief(e.rms_final), brief(e.persistence.F), probability(e.persistence.p_low), course_in_words(e));
 }
 
 std::string superlinear_sentence(Estimates const& e) {
@@ -126,20 +129,16 @@ std::string members_needed(Estimates const& e) {
                      walk_tolerance);
 }
 
-/// What F far below 1 is due to: what members share moves their mean, noise does not.
+/// What F far below 1 is due to, where the mean is a straight line.
 std::string bounded_part(Estimates const& e) {
   if (!e.model) return "noise, an oscillation";
-  if (e.model->p_course < e.levels.test)
-    return fmt::format(
-        "an oscillation that the members share, an unresolved truncation error, say: their mean moves, {}",
-        probability(e.model->p_course));
   return e.model->law().terms.noise ? "noise, or an oscillation that each member has for itself"
                                     : "noise, an oscillation";
 }
 
 std::string obstacle(Estimates const& e) {
   double const half = (e.growth.interval.high - e.growth.interval.low) / 2;
-  if (e.course && !e.transient)
+  if (shares_a_course(e))
     return course_of(e) + "; compare with the same method in higher precision, or take a smaller step";
   if (e.members < 2) return "there is one member only, and drift and persistence show in how members differ; run more";
   if (e.samples < 2) return "there is one sample time only, so growth cannot be seen; observe at more times";

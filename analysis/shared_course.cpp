@@ -34,6 +34,9 @@ struct Way {
   }
 };
 
+/// Of freedom, that the square of one bounded deviation is worth; of a normal one 1.
+constexpr double bounded_degrees = 2;
+
 /// Σ of the formula for ν̂_s².
 struct Sums {
   double squares = 0, expected = 0, weight = 0, weight2 = 0, reach = 0;
@@ -46,7 +49,7 @@ struct Sums {
     reach = std::max(reach, std::abs(distance.value));
   }
   double variance() const { return expected > 0 ? std::max(0.0, squares) / expected : 0; }
-  double degrees() const { return weight * weight / weight2; }
+  double degrees() const { return bounded_degrees * weight * weight / weight2; }
 };
 
 /// Welch & Satterthwaite: of the sum of two estimated variances.

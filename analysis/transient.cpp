@@ -9,7 +9,7 @@ namespace brouwer {
 namespace {
 
 constexpr double early = 0.25;            // of the whole time: what begins later is no beginning
-constexpr Eigen::Index fewest_after = 2;  // samples between it and the last: one or none cannot tell a line from a wave
+constexpr Eigen::Index fewest_after = 3;  // samples between it and the last: one or none cannot tell a line from a wave
 
 /// Mean and spread over members of some number of each.
 struct Sample {
