@@ -107,10 +107,13 @@ Names const uncorrelated = brownian_or_slopes + heavy;
 Names const gaussian = brownian_or_slopes + correlated;
 Names const drifting = {"drift", "visible drift", "strong drift", "all"};
 Names const still_waves = {"oscillation", "slow wave", "fast wave"};
-Names const no_drift =
-    Names{"walk", "slopes", "noise", "bounded"} + correlated + heavy + still_waves + Names{"transient"} + noisy_heavy;
+Names const still = Names{"walk", "slopes", "noise", "bounded", "transient"} + correlated + heavy + noisy_heavy;
+Names const no_drift = still + still_waves;
 Names const no_slopes = brownian + Names{"noise"} + correlated + heavy + still_waves + Names{"transient"} + noisy_heavy;
 Names const no_noise = brownian_or_slopes + correlated + heavy + still_waves + Names{"transient"};
+
+/// Means of members are straight lines.
+Names const straight = normal + heavy + noisy_heavy + Names{"phase", "sweep"};
 
 // --- and how often it is to be so -------------------------------------------------------------------------------------
 
@@ -123,8 +126,13 @@ constexpr Nominal visible{0.9, 0.003, Side::power};
 constexpr Nominal told{};
 
 std::vector<Claim> const all = {
-    {"95 % interval of β", covered, beta, {}, normal},
-    {"95 % interval of σ", covered, sigma, {}, brownian_or_slopes},
+    {"95 % interval of β", covered, beta, straight, normal},
+    {"95 % interval of σ", covered, sigma, brownian_or_slopes + correlated + heavy + Names{"bounded"} + noisy_heavy,
+     brownian_or_slopes},
+    {"95 % interval of β where all share a course", nearly_covered, beta, shared, shared, 8, 16},
+    {"95 % interval of σ where all share a course", nearly_covered, sigma, shared, still_waves + Names{"transient"}, 8,
+     8},
+    {"95 % interval of σ beside noise", nearly_covered, sigma, noisy, noisy, 8, 32},
     {"95 % interval of τ", nearly_covered, tau, {}, brownian_or_slopes, 8},
     {"95 % interval of ν, where noise is found", nearly_covered, nu, noisy + Names{"bounded"}, noisy + Names{"bounded"},
      8, 16},
@@ -153,8 +161,11 @@ std::vector<Claim> const all = {
      brownian + Names{"t(5)"}, 64},
     {"transient found where there is none", at_01, transient_found, normal + heavy, normal, 2, 2, true},
     {"|β| < δ proven where β = δ, p < 0.05", at_5, proven_small, drifting, drifting},
-    {"verdict 'drift' where there is none", at_01, called_drift, no_drift, {"walk", "slopes", "noise"}, 2, 2, true},
+    {"verdict 'drift' where there is none", at_01, called_drift, still, {"walk", "slopes", "noise"}, 2, 2, true},
     {"the smallest visible drift is seen, p < 0.001", visible, drift_at_01, {"visible drift"}, {"visible drift"}},
+    {"verdict 'drift' where all share a wave", at_01, called_drift, still_waves, still_waves, 8, 16},
+    {"verdict 'random walk' where all share a wave", told, called_walk, waves, {}},
+    {"power: a drift is seen beside a wave", told, called_drift, {"drift + wave"}, {}},
     {"power: noise is chosen", told, noise_chosen, noisy + Names{"bounded"} + noisy_heavy, {}},
     {"power: slopes are chosen", told, slopes_chosen, {"slopes", "all", "wave of all"}, {}},
     {"power: a transient is found", told, transient_found, shared, {}},
