@@ -9,7 +9,7 @@ namespace brouwer {
 namespace {
 
 constexpr double early = 0.25;            // of the whole time: what begins later is no beginning
-constexpr double bent_level = 0.05;       // of a mean that goes on as a wave: few members, or samples, say little of it
+constexpr double bent_level = 0.01;       // of a mean that goes on as a wave: few members, or samples, say little of it
 constexpr Eigen::Index fewest_after = 3;  // samples between it and the last: one or none cannot tell a line from a wave
 
 /// Mean and spread over members of some number of each.
@@ -95,8 +95,9 @@ std::optional<Transient> transient_of(Ensemble const& ensemble, Units const& uni
   double const p = course.straight_p(-1);
   Eigen::Index const latest =
       std::min(course.last_before(early * course.time(course.last())), course.last() - 1 - fewest_after);
-  if (!(p < levels.test) || latest < 0 || course.straight_p(latest) < bent_level) return std::nullopt;
-  Eigen::Index const end = settled(course, -1, latest, bent_level);
+  double const bent = std::max(levels.test, bent_level);
+  if (!(p < levels.test) || latest < 0 || course.straight_p(latest) < bent) return std::nullopt;
+  Eigen::Index const end = settled(course, -1, latest, bent);
   if (course.swings(end, levels.test)) return std::nullopt;
   auto const after = Sample{course.slopes(end, course.last())};
   return Transient{ensemble.times[static_cast<std::size_t>(end)], p, drift_of(after, units, levels.confidence)};
