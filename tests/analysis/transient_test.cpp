@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "analysis/inference.hpp"
 #include "tests/analysis/simulated.hpp"
 
@@ -76,6 +79,18 @@ TEST(Transient, OfANonLinearBeginningEndsWhereItEnds) {
   ASSERT_TRUE(e.transient.has_value());
   EXPECT_GE(e.transient->until, 50);
   EXPECT_LE(e.transient->until, 200);
+}
+
+/// At 16 log-spaced times the last ones of this wave look like a line to 16 members, every other time.
+TEST(Transient, IsNoneWhereTheMeanSwings) {
+  Normal normal(12);
+  for (int k = 0; k < 40; ++k) {
+    auto ensemble = simulated({.diffusion = 1}, 16, log_spaced(16, 1e4), normal);
+    for (std::size_t j = 0; j < ensemble.times.size(); ++j)
+      ensemble.errors.col(static_cast<Eigen::Index>(j)).array() +=
+          100 * std::sin(2 * std::numbers::pi * 37.3 * ensemble.times[j] / 1e4);
+    EXPECT_FALSE(estimate(ensemble, {}).transient.has_value()) << k;
+  }
 }
 
 TEST(Transient, IsNoneWhereTheMeanNeverBecomesStraight) {
