@@ -62,6 +62,17 @@ void test_drift(FullModel& model, GrowthFit const& fit, GrowthStatistics const& 
 
 Interval hull(Interval a, Interval b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
 
+/// Slopes that are not excluded leave σ what it is with them, too.
+ProfileIntervals intervals_of(GrowthLikelihood const& likelihood, GrowthFits const& fits, LawChoice const& choice,
+                              double confidence, double inflation) {
+  auto const of = [&](LawTerms const& terms) {
+    return profile_intervals(likelihood, fits[place_of(terms)], terms, confidence, inflation);
+  };
+  auto intervals = of(choice.terms);
+  if (choice.slopes_open) intervals.sigma = hull(intervals.sigma, of({true, true, true}).sigma);
+  return intervals;
+}
+
 /// Members that differ, in their ends and in their ways there.
 bool leaves_a_choice(GrowthStatistics const& statistics) {
   auto const closed = statistics.at(0);
@@ -81,20 +92,14 @@ std::optional<FullModel> growth_model(Ensemble const& ensemble, Units const& uni
   model.candidates = candidates_of(fits, units);
   model.p_slopes = slopes_p;
   auto const evidence = evidence_of(ensemble, units, levels, tails);
-  auto const [terms, slopes_open] = choose_law(fits, statistics, evidence, model);
-  model.chosen = place_of(terms);
+  auto const choice = choose_law(fits, statistics, evidence, model);
+  model.chosen = place_of(choice.terms);
   auto const& chosen = fits[model.chosen];
   model.p_course = course_p(statistics, chosen.rho);
   model.p_end = end_p(statistics, chosen);
   test_drift(model, chosen, statistics, units, levels.confidence);
-  double const inflation = evidence.yardstick.inflation;
-  auto const intervals = profile_intervals(likelihood, chosen, terms, levels.confidence, inflation);
+  auto const intervals = intervals_of(likelihood, fits, choice, levels.confidence, evidence.yardstick.inflation);
   model.diffusion = units.sqrt_rate(intervals.sigma);
-  if (slopes_open) {
-    auto const& richest = fits[place_of({true, true, true})];
-    auto const wider = profile_intervals(likelihood, richest, {true, true, true}, levels.confidence, inflation);
-    model.diffusion = units.sqrt_rate(hull(intervals.sigma, wider.sigma));
-  }
   model.slopes = units.rate(intervals.tau);
   model.noise = units.size(intervals.nu);
   return model;
