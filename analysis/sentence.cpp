@@ -66,14 +66,14 @@ bool shares_a_course(Estimates const& e) { return e.course && !e.transient; }
 
 /// What the mean does beside a drift.
 std::string course_of(Estimates const& e) {
-  return fmt::format(
-      "the mean of all members is no straight line ({}): it keeps within ±{} of one, as an oscillation does that the "
-      "step "
-      "does not resolve (a truncation error)",
-      probability(e.model->p_course), brief(e.course->reach));
+  return fmt::format("the mean of all members is no straight line ({}): it keeps within ±{} of one",
+                     probability(e.model->p_course), brief(e.course->reach));
 }
 
-std::string course_in_words(Estimates const& e) { return shares_a_course(e) ? "; " + course_of(e) : ""; }
+/// And what that may be, where nothing else is seen.
+std::string as_an_oscillation(Estimates const& e) {
+  return course_of(e) + ", as an oscillation does that the step does not resolve (a truncation error)";
+}
 
 std::string drift_sentence(Estimates const& e) {
   if (std::isinf(e.drift.t))
@@ -82,7 +82,8 @@ std::string drift_sentence(Estimates const& e) {
         "members should differ, check what perturbs them",
         e.members, brief(e.drift.per_step), per(e));
   std::string const beside = e.samples > 1 ? "; beside it the error spreads by " + diffusion(e) : "";
-  return "the error grows on average by " + drift(e) + beside + course_in_words(e);
+  std::string const course = shares_a_course(e) ? "; " + course_of(e) + ", for which the interval allows" : "";
+  return "the error grows on average by " + drift(e) + beside + course;
 }
 
 std::string slopes_test(Estimates const& e) {
@@ -100,7 +101,8 @@ std::string bounded_sentence(Estimates const& e) {
   return fmt::format(
       "the error does not grow: {}, RMS {} at the end; it is spread less than a random walk of its "
       "increments would be (F = {}, {}); its mean stays{}",
-      exponent(e), brief(e.rms_final), brief(e.persistence.F), probability(e.persistence.p_low), course_in_words(e));
+      exponent(e), brief(e.rms_final), brief(e.persistence.F), probability(e.persistence.p_low),
+      shares_a_course(e) ? "; " + as_an_oscillation(e) : "");
 }
 
 std::string superlinear_sentence(Estimates const& e) {
@@ -139,7 +141,7 @@ std::string bounded_part(Estimates const& e) {
 std::string obstacle(Estimates const& e) {
   double const half = (e.growth.interval.high - e.growth.interval.low) / 2;
   if (shares_a_course(e))
-    return course_of(e) + "; compare with the same method in higher precision, or take a smaller step";
+    return as_an_oscillation(e) + "; compare with the same method in higher precision, or take a smaller step";
   if (e.members < 2) return "there is one member only, and drift and persistence show in how members differ; run more";
   if (e.samples < 2) return "there is one sample time only, so growth cannot be seen; observe at more times";
   if (std::isnan(half)) return "too few sample times have a non-zero error to fit a law of growth; run longer";
