@@ -20,7 +20,7 @@ std::string listed(std::vector<std::string> const& members) {
 std::string transient_in_words(Estimates const& e) {
   if (!e.transient) return "";
   auto const& after = e.transient->after;
-  if (e.drift.p >= e.levels.test && after.p >= e.levels.test) return "";
+  if (e.slope_to_the_end().p >= e.levels.test && after.p >= e.levels.test) return "";
   return fmt::format("; until {} {} the mean moves otherwise than later ({}), and from there on by {}; t = {}, {})",
                      number(e.transient->until, 3), e.time_unit + "s", probability(e.transient->p),
                      drift_interval(after, e), number(after.t, 3), probability(after.p));

@@ -32,7 +32,7 @@ double smallest_visible_drift(Test const& test) {
   auto const visible = [&](double level) {
     Levels levels = test.row.levels;
     levels.test = level;
-    return visible_noncentrality(static_cast<double>(test.row.members - 1), levels);
+    return visible_noncentrality(test.row.drift_degrees(), levels);
   };
   double const own = test.level(), stated = test.row.levels.test;
   return test.row.smallest_visible_drift * (own == stated ? 1 : visible(own) / visible(stated));

@@ -92,6 +92,14 @@ struct Transient {
   Drift after;       ///< β from there on
 };
 
+/// The mean of all members is no straight line, whatever its drift: see shared_course.hpp.
+struct SharedCourse {
+  double size = 0;     ///< ν_s, the standard deviation at a sample of what all members share and does not grow
+  double reach = 0;    ///< the largest distance of their mean from its line
+  double degrees = 0;  ///< of freedom of the drift's t, whose error allows for it
+  Drift whole;         ///< of the slope to the end, as if the mean were straight
+};
+
 /// Members far from all others. Set aside where they are few, in which case `drift` and `diffusion` are with them.
 struct FarOff {
   std::vector<std::string> members;  ///< their names; of a study, their numbers from 0
@@ -133,6 +141,7 @@ struct Estimates {
   Tails tails;
   std::optional<FullModel> model = {};  ///< none where there is too little to choose from
   std::optional<Transient> transient = {};
+  std::optional<SharedCourse> course = {};  ///< where the mean of the members is no straight line
   FarOff far_off = {};
   Growth growth;
   double smallest_visible_drift = 0;  ///< per step, at levels.test with chance levels.power
@@ -143,6 +152,10 @@ struct Estimates {
   std::vector<Failures> failures = {};       ///< of the members left out, by reason, those of most members first
   std::optional<IncrementTests> increments;  ///< none where there are no increments, or all are 0
   std::optional<Counted> count;  ///< where it is no error but a number of something: no law of growth is estimated
+
+  double drift_degrees() const { return course ? course->degrees : static_cast<double>(members - 1); }
+  /// Of the whole run, its beginning and what members share included.
+  Drift const& slope_to_the_end() const { return course ? course->whole : drift; }
 };
 
 }  // namespace brouwer

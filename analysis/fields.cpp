@@ -33,6 +33,8 @@ constexpr Counted no_count = {undefined, {undefined, undefined}};
 constexpr Interval no_interval = {undefined, undefined};
 FullModel const no_model = {{},          0,           undefined,   undefined,   undefined, undefined, undefined,
                             no_interval, no_interval, no_interval, no_interval, undefined, undefined, undefined};
+SharedCourse const no_course = {
+    undefined, undefined, undefined, {undefined, no_interval, undefined, undefined, undefined}};
 Transient const no_transient = {undefined, undefined, {undefined, no_interval, undefined, undefined, undefined}};
 
 double with_them(Estimates const& e, double value) { return e.far_off.members.empty() ? undefined : value; }
@@ -129,6 +131,12 @@ Field const fields[] = {
     {"transient.drift_after", [](E const& e) -> Value { return e.transient.value_or(no_transient).after.per_step; }},
     {"transient.drift_after_ci", [](E const& e) -> Value { return e.transient.value_or(no_transient).after.interval; }},
     {"transient.drift_after_p", [](E const& e) -> Value { return e.transient.value_or(no_transient).after.p; }},
+    {"course.size", [](E const& e) -> Value { return e.course.value_or(no_course).size; }},
+    {"course.reach", [](E const& e) -> Value { return e.course.value_or(no_course).reach; }},
+    {"course.degrees", [](E const& e) -> Value { return e.course.value_or(no_course).degrees; }},
+    {"course.whole_drift", [](E const& e) -> Value { return e.course.value_or(no_course).whole.per_step; }},
+    {"course.whole_drift_ci", [](E const& e) -> Value { return e.course.value_or(no_course).whole.interval; }},
+    {"course.whole_drift_p", [](E const& e) -> Value { return e.course.value_or(no_course).whole.p; }},
     {"far_off.members", [](E const& e) -> Value { return e.far_off.members; }},
     {"far_off.set_aside", [](E const& e) -> Value { return e.far_off.set_aside; }},
     {"far_off.drift_with_them", [](E const& e) -> Value { return with_them(e, e.far_off.drift.per_step); }},

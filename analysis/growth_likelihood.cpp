@@ -22,12 +22,12 @@ std::pair<double, double> least(Function const& function, double low, double hig
 
 double GrowthLikelihood::deviance(Reduced const& r, double scale, double slope_variance) const {
   double const M = statistics_.members(), J = statistics_.times();
-  return M * (r.log_determinant + std::log(r.precision) + (J - 1) * std::log(scale)) + r.residual / scale +
-         (M - 1) * std::log(slope_variance) + r.spread / slope_variance;
+  return statistics_.rests() * (r.log_determinant + std::log(r.precision) + (J - 1) * std::log(scale)) +
+         r.residual / scale + (M - 1) * std::log(slope_variance) + r.spread / slope_variance;
 }
 
 GrowthFit GrowthLikelihood::at(double rho, bool slopes) const {
-  double const M = statistics_.members(), n = M * (statistics_.times() - 1);
+  double const M = statistics_.members(), n = statistics_.rests() * (statistics_.times() - 1);
   auto const r = statistics_.at(rho);
   double scale = r.residual / n, variance = r.spread / (M - 1);
   if (!slopes || variance < scale / r.precision) {  // τ = 0: slopes tell of the same scale as the rest
@@ -74,7 +74,7 @@ double GrowthLikelihood::with_nu2(double value, GrowthFit const& fit, bool slope
 double GrowthLikelihood::with_tau2(double value, GrowthFit const& fit) const {
   auto const at_rho = [&](double rho) {
     auto const r = statistics_.at(rho);
-    double const centre = std::log(r.residual / (statistics_.members() * (statistics_.times() - 1)));
+    double const centre = std::log(r.residual / (statistics_.rests() * (statistics_.times() - 1)));
     auto const of_scale = [&](double log_scale) {
       double const scale = std::exp(log_scale);
       return deviance(r, scale, value + scale / r.precision);

@@ -23,7 +23,7 @@ struct GrowthFit {
 ///
 ///     −2 log L = M(Σ log(1 + ρλⱼ) + log a + (J−1) log scale) + R/scale + (M−1) log v + Σ(sᵢ − s̄)²/v
 ///
-/// whose minimum in scale and v is known in closed form, with τ > 0 and with τ = 0 alike. So all six laws
+/// (M − 1 in place of the first M where the course of the mean is free), whose minimum in scale and v is known in closed form, with τ > 0 and with τ = 0 alike. So all six laws
 /// (with or without walk, slopes, noise) need a search in the one variable ρ: a scan, then Brent's minimiser.
 class GrowthLikelihood {
  public:

@@ -1,40 +1,26 @@
 #include "analysis/growth_model.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "analysis/distributions.hpp"
+#include "analysis/growth_choice.hpp"
 #include "analysis/growth_intervals.hpp"
-#include "analysis/growth_likelihood.hpp"
 
 namespace brouwer {
 namespace {
 
 constexpr double only_noise = std::numeric_limits<double>::infinity();  // ρ
 
-constexpr std::array<LawTerms, 6> laws = {{{true, false, false},
-                                           {true, true, false},
-                                           {true, false, true},
-                                           {true, true, true},
-                                           {false, false, true},
-                                           {false, true, true}}};
-
-using Fits = std::array<GrowthFit, laws.size()>;
-
-std::size_t place_of(LawTerms const& terms) {
-  return static_cast<std::size_t>(std::find(laws.begin(), laws.end(), terms) - laws.begin());
-}
-
 GrowthFit fit(GrowthLikelihood const& likelihood, LawTerms const& law) {
   if (law.walk && law.noise) return likelihood.best(law.slopes);
   return likelihood.at(law.walk ? 0 : only_noise, law.slopes);
 }
 
-Fits fits_of(GrowthLikelihood const& likelihood) {
-  Fits fits;
-  for (std::size_t k = 0; k < laws.size(); ++k) fits[k] = fit(likelihood, laws[k]);
+GrowthFits fits_of(GrowthLikelihood const& likelihood) {
+  GrowthFits fits;
+  for (std::size_t k = 0; k < growth_laws.size(); ++k) fits[k] = fit(likelihood, growth_laws[k]);
   return fits;
 }
 
@@ -47,57 +33,13 @@ Candidate candidate(LawTerms const& terms, GrowthFit const& fit, double least_de
           units.size(std::sqrt(fit.nu2()))};
 }
 
-std::vector<Candidate> candidates_of(Fits const& fits, Units const& units) {
+std::vector<Candidate> candidates_of(GrowthFits const& fits, Units const& units) {
   auto const less = [](GrowthFit const& a, GrowthFit const& b) { return a.deviance < b.deviance; };
   double const least = std::min_element(fits.begin(), fits.end(), less)->deviance;
   std::vector<Candidate> candidates;
-  for (std::size_t k = 0; k < laws.size(); ++k) candidates.push_back(candidate(laws[k], fits[k], least, units));
+  for (std::size_t k = 0; k < growth_laws.size(); ++k)
+    candidates.push_back(candidate(growth_laws[k], fits[k], least, units));
   return candidates;
-}
-
-/// What twice a log-likelihood ratio is measured by.
-struct Yardstick {
-  double inflation = 1;  ///< how much more uncertain variances are than those of normal increments
-  double dof = 0;        ///< of the inflation, where it is estimated; 0: normal increments
-
-  double p(double twice_ratio) const {
-    double const x = twice_ratio / inflation;
-    if (dof == 0 || !(x > 0)) return boundary_p(x);
-    return student_two_sided(std::sqrt(x), dof) / 2;
-  }
-};
-
-Yardstick yardstick(Tails const& tails, double members) {
-  if (tails.normal) return {};
-  return {std::max({1.0, tails.dispersion, 1 + tails.kurtosis / 2}), members - 1};
-}
-
-/// The p of the smaller one of two laws.
-double p_between(Fits const& fits, LawTerms const& smaller, LawTerms const& larger, Yardstick const& yardstick) {
-  return yardstick.p(fits[place_of(smaller)].deviance - fits[place_of(larger)].deviance);
-}
-
-/// Beside noise a few late samples of a walk look like slopes, and either may do without the other: slopes are called
-/// so where they are needed beside a walk; what grows otherwise is a walk.
-/// @param p_signs  of slopes, where they and the walk are both needed
-LawTerms choose_beside_noise(Fits const& fits, double level, double p_signs, Yardstick const& yardstick,
-                             FullModel& model) {
-  LawTerms terms{true, true, true};
-  model.p_walk = p_between(fits, {false, true, true}, terms, yardstick);
-  model.p_slopes = p_between(fits, {true, false, true}, terms, yardstick);
-  if (model.p_walk < level) model.p_slopes = std::max(model.p_slopes, p_signs);
-  terms.slopes = model.p_slopes < level;
-  if (!terms.slopes) model.p_walk = p_between(fits, {false, false, true}, {true, false, true}, yardstick);
-  terms.walk = model.p_walk < level;
-  return terms;
-}
-
-/// model.p_slopes is that of F, which decides where there is no noise.
-LawTerms choose(Fits const& fits, double level, double p_signs, Yardstick const& yardstick, FullModel& model) {
-  model.p_noise = p_between(fits, {true, true, false}, {true, true, true}, yardstick);
-  if (model.p_noise < level) return choose_beside_noise(fits, level, p_signs, yardstick, model);
-  model.p_walk = 0;
-  return {true, model.p_slopes < level, false};
 }
 
 /// Of the mean's course against the rest of the members.
@@ -105,14 +47,6 @@ double course_p(GrowthStatistics const& statistics, double rho) {
   auto const r = statistics.at(rho);
   double const m = statistics.times() - 1, n = m * (statistics.members() - 1);
   return fisher_upper(r.course / m / ((r.residual - r.course) / n), m, n);
-}
-
-/// Of the variance of the errors at the end, T²Σ(sᵢ⁰ − s̄⁰)²/(M−1), against what the law says.
-double end_p(GrowthStatistics const& statistics, GrowthFit const& fit) {
-  double const time = statistics.duration(), dof = statistics.members() - 1;
-  double const expected = fit.tau2 + fit.sigma2() / time + fit.nu2() / (time * time);
-  double const chi2 = statistics.slope_spread() / expected;
-  return std::min(1.0, 2 * std::min(chi_squared_upper(chi2, dof), chi_squared_lower(chi2, dof)));
 }
 
 void test_drift(FullModel& model, GrowthFit const& fit, GrowthStatistics const& statistics, Units const& units,
@@ -126,6 +60,19 @@ void test_drift(FullModel& model, GrowthFit const& fit, GrowthStatistics const& 
   model.drift = units.rate(Interval{fit.slope - half, fit.slope + half});
 }
 
+Interval hull(Interval a, Interval b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
+
+/// Slopes that are not excluded leave σ what it is with them, too.
+ProfileIntervals intervals_of(GrowthLikelihood const& likelihood, GrowthFits const& fits, LawChoice const& choice,
+                              double confidence, double inflation) {
+  auto const of = [&](LawTerms const& terms) {
+    return profile_intervals(likelihood, fits[place_of(terms)], terms, confidence, inflation);
+  };
+  auto intervals = of(choice.terms);
+  if (choice.slopes_open) intervals.sigma = hull(intervals.sigma, of({true, true, true}).sigma);
+  return intervals;
+}
+
 /// Members that differ, in their ends and in their ways there.
 bool leaves_a_choice(GrowthStatistics const& statistics) {
   auto const closed = statistics.at(0);
@@ -134,29 +81,24 @@ bool leaves_a_choice(GrowthStatistics const& statistics) {
 
 }  // namespace
 
-double boundary_p(double twice_ratio) {
-  if (!(twice_ratio > 0)) return 1;
-  return std::erfc(std::sqrt(twice_ratio / 2)) / 2;  // half of P(χ²(1) ≥ x)
-}
-
 std::optional<FullModel> growth_model(Ensemble const& ensemble, Units const& units, Levels const& levels,
-                                      Tails const& tails, double slopes_p) {
+                                      Tails const& tails, double slopes_p, MeanCourse course) {
   if (ensemble.errors.rows() < 2 || ensemble.errors.cols() < 3) return std::nullopt;
-  GrowthStatistics const statistics(ensemble, units);
+  GrowthStatistics const statistics(ensemble, units, course);
   if (!leaves_a_choice(statistics)) return std::nullopt;
   GrowthLikelihood const likelihood(statistics);
   auto const fits = fits_of(likelihood);
   FullModel model;
   model.candidates = candidates_of(fits, units);
   model.p_slopes = slopes_p;
-  auto const measure = yardstick(tails, statistics.members());
-  auto const terms = choose(fits, levels.test, doubling_signs_p(ensemble, units), measure, model);
-  model.chosen = place_of(terms);
+  auto const evidence = evidence_of(ensemble, units, levels, tails);
+  auto const choice = choose_law(fits, statistics, evidence, model);
+  model.chosen = place_of(choice.terms);
   auto const& chosen = fits[model.chosen];
   model.p_course = course_p(statistics, chosen.rho);
   model.p_end = end_p(statistics, chosen);
   test_drift(model, chosen, statistics, units, levels.confidence);
-  auto const intervals = profile_intervals(likelihood, chosen, terms, levels.confidence, measure.inflation);
+  auto const intervals = intervals_of(likelihood, fits, choice, levels.confidence, evidence.yardstick.inflation);
   model.diffusion = units.sqrt_rate(intervals.sigma);
   model.slopes = units.rate(intervals.tau);
   model.noise = units.size(intervals.nu);

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "analysis/tails.hpp"
+#include "analysis/growth_statistics.hpp"
 
 namespace brouwer {
 
@@ -15,7 +15,10 @@ namespace brouwer {
 ///
 ///     noise    walk + slopes + noise against walk + slopes
 ///     slopes   if there is noise: the same against walk + noise, and where the walk is needed as well (against noise +
-///              slopes) the signs (doubling_signs_p) must agree; without noise: the F test, whose p is given
+///              slopes) the signs (doubling_signs_p) must agree or the spread at the end contradict walk + noise, with
+///              a variance as uncertain as the kurtosis of the errors at the end makes it; without noise: the F test,
+///              whose p is given. If only for normal errors the spread at the end contradicts walk + noise, slopes are
+///              in the law but not seen: p_slopes stays at least a
 ///     walk     if there is noise: needed beside slopes if there are such, otherwise walk + noise against noise
 ///
 /// (Slopes are never held against noise alone: of few late samples above noise a walk looks like slopes.)
@@ -38,12 +41,10 @@ namespace brouwer {
 /// at the end over what the law says it is, χ²(M−1)/(M−1), two-sided. A law that either contradicts is not used.
 ///
 /// @param slopes_p  of F, for the choice without noise
+/// @param course    free: of members about their mean (without_mean); what is said of β and the course is then empty
 /// @return nothing where there is no choice: M < 2, J < 3, members that do not differ, a rest that is zero
 /// Cost: MJ²/2 multiplications and about 5000 J²: docs/statistics.md has the time of 10⁵ members at 200 times.
 std::optional<FullModel> growth_model(Ensemble const& ensemble, Units const& units, Levels const& levels,
-                                      Tails const& tails, double slopes_p);
-
-/// P(½χ²(0) + ½χ²(1) ≥ x): of twice a log-likelihood ratio with one variance at its boundary. 1 for x ≤ 0.
-double boundary_p(double twice_ratio);
+                                      Tails const& tails, double slopes_p, MeanCourse course = MeanCourse::straight);
 
 }  // namespace brouwer

@@ -18,8 +18,9 @@ Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> noise_spectrum(Eigen::ArrayXd con
 
 }  // namespace
 
-GrowthStatistics::GrowthStatistics(Ensemble const& ensemble, Units const& units)
-    : members_(static_cast<double>(ensemble.errors.rows())) {
+GrowthStatistics::GrowthStatistics(Ensemble const& ensemble, Units const& units, MeanCourse course)
+    : members_(static_cast<double>(ensemble.errors.rows())),
+      rests_(course == MeanCourse::free ? members_ - 1 : members_) {
   MemberBlocks const blocks(ensemble, units, most_times);
   duration_ = blocks.duration();
   auto const J = blocks.times().size();
@@ -43,6 +44,7 @@ GrowthStatistics::GrowthStatistics(Ensemble const& ensemble, Units const& units)
   // all are positive; the smallest may not come out so where the times span more than 15 decades
   eigenvalues_ = spectrum.eigenvalues().array().max(1e-16 * spectrum.eigenvalues()[J - 1]);
   w_ = Q.transpose() * blocks.u().matrix();
+  if (course == MeanCourse::free) sum_rest.setZero();  // but for rounding it is
   mean_rest_ = Q.transpose() * sum_rest / members_;
   slope_by_rest_ = Q.transpose() * (slope_by_rest - off * sum_rest);
   scatter_ = Q.transpose() * scatter.selfadjointView<Eigen::Lower>() * Q;

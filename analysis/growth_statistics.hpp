@@ -16,6 +16,9 @@ struct Reduced {
   double course = 0;    ///< M |r̄|² in the metric 1/d: how far the mean of all members is from a straight line
 };
 
+/// How the mean of all members goes: by the law, or as it likes.
+enum class MeanCourse { straight, free };
+
 /// Sufficient statistics of M members at J times for the law eᵢ(t) = (β + bᵢ)t + σWᵢ(t) + νεᵢ(t), eᵢ(0) = 0.
 ///
 /// The increments over √δⱼ have the mean β√δⱼ and the covariance σ²I + τ²uuᵀ + ν²B, uⱼ = √δⱼ, B = CCᵀ with C the
@@ -30,9 +33,12 @@ class GrowthStatistics {
  public:
   static constexpr Eigen::Index most_times = 256;
 
-  GrowthStatistics(Ensemble const& ensemble, Units const& units);
+  /// @param course  free: the mean of all members may take any way, which costs the rests of one member; members are
+  ///                about it already (without_mean)
+  GrowthStatistics(Ensemble const& ensemble, Units const& units, MeanCourse course = MeanCourse::straight);
 
   double members() const { return members_; }
+  double rests() const { return rests_; }  ///< independent ones: M, or M − 1 about a free course
   double times() const { return static_cast<double>(eigenvalues_.size()); }
   double smallest_eigenvalue() const { return eigenvalues_[0]; }
   double largest_eigenvalue() const { return eigenvalues_[eigenvalues_.size() - 1]; }
@@ -43,7 +49,7 @@ class GrowthStatistics {
   Reduced at(double rho) const;
 
  private:
-  double members_ = 0, duration_ = 0, mean_slope_ = 0, slope_spread_ = 0;
+  double members_ = 0, rests_ = 0, duration_ = 0, mean_slope_ = 0, slope_spread_ = 0;
   Eigen::ArrayXd eigenvalues_, w_;             // Λ, Qᵀu
   Eigen::VectorXd mean_rest_, slope_by_rest_;  // r̄, Σ (sᵢ − s̄) rᵢ
   Eigen::MatrixXd scatter_;                    // Σ (rᵢ − r̄)(rᵢ − r̄)ᵀ

@@ -7,13 +7,14 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/bridge.hpp"
+#include "analysis/closed_form.hpp"
 #include "analysis/distributions.hpp"
 #include "analysis/failures.hpp"
 #include "analysis/far_off.hpp"
 #include "analysis/growth.hpp"
 #include "analysis/growth_model.hpp"
 #include "analysis/increments.hpp"
+#include "analysis/shared_course.hpp"
 #include "analysis/student_drift.hpp"
 #include "analysis/tails.hpp"
 #include "analysis/transient.hpp"
@@ -24,50 +25,6 @@ namespace brouwer {
 namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-
-/// What the closed-form inference needs of an ensemble, in units in which no square over- or underflows.
-struct Sufficient {
-  double members = 0, samples = 0;
-  double duration = 0;  ///< t_J
-  double slope = 0;     ///< mean of sᵢ
-  double variance = 0;  ///< of sᵢ, about their mean; NaN for one member
-  double sigma2 = 0;    ///< σ̂²; NaN for one sample time
-
-  double degrees() const { return members * (samples - 1); }
-  double standard_error() const { return std::sqrt(variance / members); }
-};
-
-Sufficient sufficient(Ensemble const& ensemble, Units const& units) {
-  Eigen::ArrayXd const times = scaled_times(ensemble, units);
-  auto const members = ensemble.errors.rows();
-  Sufficient s{static_cast<double>(members), static_cast<double>(times.size()), times[times.size() - 1]};
-  Eigen::ArrayXd const slopes = units.error * ensemble.errors.rightCols<1>().array() / s.duration;
-  // The first slope is subtracted before the sum, so that equal slopes have exactly their value as mean.
-  s.slope = slopes[0] + (slopes - slopes[0]).mean();
-  s.variance = members > 1 ? (slopes - s.slope).square().sum() / (s.members - 1) : undefined;
-  for (Eigen::Index i = 0; i < members; ++i)
-    s.sigma2 += squared_bridge(units.error * ensemble.errors.row(i), times, slopes[i]);
-  s.sigma2 = times.size() > 1 ? s.sigma2 / s.degrees() : undefined;
-  return s;
-}
-
-Drift drift_of(Sufficient const& s, Units const& units, Levels const& levels) {
-  return units.rate(student_drift(s.slope, s.standard_error(), s.members - 1, levels.confidence));
-}
-
-Persistence persistence_of(Sufficient const& s, Units const& units) {
-  double const tau2 = s.variance - s.sigma2 / s.duration;
-  double const F = s.duration * s.variance / s.sigma2;
-  double const m = s.members - 1, n = s.degrees();
-  return {units.rate(std::sqrt(tau2 < 0 ? 0 : tau2)), F, fisher_upper(F, m, n), fisher_lower(F, m, n)};
-}
-
-Diffusion diffusion_of(Sufficient const& s, Units const& units, Levels const& levels) {
-  double const tail = (1 - levels.confidence) / 2, total = s.sigma2 * s.degrees();
-  Interval const sigma = {std::sqrt(total / chi_squared_quantile(1 - tail, s.degrees())),
-                          std::sqrt(total / chi_squared_quantile(tail, s.degrees()))};
-  return {units.sqrt_rate(std::sqrt(s.sigma2)), units.sqrt_rate(sigma)};
-}
 
 /// Where the increments are not normal, what holds whatever they are (tails.hpp).
 void use_tails(Estimates& e, TailInference const& found) {
@@ -90,11 +47,7 @@ void use_model(Estimates& e) {
   e.persistence.per_step = model.law().slopes;
   e.diffusion = {model.law().diffusion, model.diffusion};
   e.noise = {model.law().noise, model.noise};
-  e.smallest_visible_drift = model.standard_error * visible_noncentrality(static_cast<double>(e.members - 1), e.levels);
-}
-
-double smallest_visible_drift(Sufficient const& s, Units const& units, Levels const& levels) {
-  return units.rate(s.standard_error() * visible_noncentrality(s.members - 1, levels));
+  e.smallest_visible_drift = model.standard_error * visible_noncentrality(e.drift_degrees(), e.levels);
 }
 
 std::vector<double> to_vector(Eigen::ArrayXd const& x) { return {x.begin(), x.end()}; }
@@ -164,22 +117,64 @@ Estimates counted(Ensemble const& ensemble, Levels const& levels) {
   return e;
 }
 
+/// The sample that ends the transient.
+Eigen::Index last_of(Transient const& transient, Ensemble const& ensemble) {
+  auto const& times = ensemble.times;
+  return std::find(times.begin(), times.end(), transient.until) - times.begin();
+}
+
+bool shares_a_course(Estimates const& e) { return e.model && (e.transient || e.model->p_course < e.levels.test); }
+
+/// β of what follows the transient, if there is one, with an error that allows for what all members share.
+void use_course(Estimates& e, CourseOfMean const& found, Units const& units) {
+  Drift const whole = e.drift;
+  e.course = {units.size(found.size), units.size(found.reach), found.degrees, whole};
+  e.drift = units.rate(student_drift(found.slope, found.error, found.degrees, e.levels.confidence));
+  e.drift.share = e.rms_final > 0 ? std::min(1.0, std::abs(e.drift.per_step) * e.times.back() / e.rms_final) : 0;
+  if (e.transient) e.transient->after = e.drift;
+  for (auto& law : e.model->candidates) law.drift = e.drift.per_step;
+  e.model->drift = e.drift.interval;
+  e.model->t = e.drift.t;
+  e.model->p = e.drift.p;
+  e.model->standard_error = units.rate(found.error);
+  e.smallest_visible_drift = e.model->standard_error * visible_noncentrality(found.degrees, e.levels);
+}
+
+/// σ, τ and ν of how members differ from their mean, which no course of it touches; β of the mean. F goes on to warn of
+/// what all share, unless that ends with the transient. Where members do not differ but by rounding, nothing is changed.
+Estimates told_apart(Estimates const& e, Ensemble const& ensemble, Units const& units) {
+  auto const apart = without_mean(ensemble);
+  auto const s = closed_form(apart, units, static_cast<double>(e.members - 1));
+  Estimates own = e;
+  own.persistence = s.persistence(units);
+  own.diffusion = s.diffusion(units, e.levels.confidence);
+  own.noise = {};
+  use_tails(own, tails_of(apart, units));
+  own.model = growth_model(apart, units, e.levels, own.tails, own.persistence.p, MeanCourse::free);
+  if (!own.model) return e;
+  own.model->p_course = e.model->p_course;
+  if (!e.transient) own.persistence = {own.persistence.per_step, e.persistence.F, e.persistence.p, e.persistence.p_low};
+  use_course(own, course_of_mean(ensemble, units, e.transient ? last_of(*e.transient, ensemble) : -1), units);
+  use_model(own);
+  return own;
+}
+
 /// β, τ, σ and ν of an ensemble.
 Estimates parameters_of(Ensemble const& ensemble, Levels const& levels) {
   auto const units = units_of(ensemble);
-  auto const s = sufficient(ensemble, units);
+  auto const s = closed_form(ensemble, units, static_cast<double>(ensemble.errors.rows()));
   Estimates e = described(ensemble, levels);
   describe_course(ensemble, units.error, e);
-  e.drift = drift_of(s, units, levels);
+  e.drift = s.drift(units, levels.confidence);
   e.drift.share = e.rms_final > 0 ? std::min(1.0, std::abs(e.mean.back()) / e.rms_final) : 0;
-  e.persistence = persistence_of(s, units);
-  e.diffusion = diffusion_of(s, units, levels);
-  e.smallest_visible_drift = smallest_visible_drift(s, units, levels);
+  e.persistence = s.persistence(units);
+  e.diffusion = s.diffusion(units, levels.confidence);
+  e.smallest_visible_drift = units.rate(s.standard_error() * visible_noncentrality(s.members - 1, levels));
   use_tails(e, tails_of(ensemble, units));
   e.transient = transient_of(ensemble, units, levels);
   e.model = growth_model(ensemble, units, levels, e.tails, e.persistence.p);
   use_model(e);
-  return e;
+  return shares_a_course(e) ? told_apart(e, ensemble, units) : e;
 }
 
 /// The law of growth of an ensemble, without a verdict.

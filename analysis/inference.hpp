@@ -30,7 +30,9 @@ namespace brouwer {
 ///                       verdict.hpp), β, τ, σ and their intervals are of restricted maximum likelihood; otherwise the
 ///                       closed form stands bit for bit. τ's interval is always by likelihood
 ///     tails.hpp         increments that are not normal: σ's interval and p of F
-///     transient.hpp     a mean that begins otherwise than it goes on
+///     transient.hpp     a mean that begins otherwise than it goes on: β is of what follows
+///     shared_course.hpp a mean that is no straight line (p_course below levels.test): β's error allows for what all
+///                       members share. σ, τ, ν are then of the members about their mean, with M − 1 rests in place of M
 ///     far_off.hpp       a few members far from all others: set aside and named, the estimates are of the rest
 ///
 /// What is not defined is NaN: with one member the spread of slopes, t, F and their intervals; with one sample time σ,

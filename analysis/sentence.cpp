@@ -42,8 +42,9 @@ std::string drift(Estimates const& e) {
 
 std::string no_drift(Estimates const& e) {
   if (std::isnan(e.drift.t)) return "every error at the end is zero, so there is no drift";
-  if (e.drift.p < e.levels.test && e.transient)
-    return fmt::format("the slope to the end ({}) is no drift: it comes from the beginning", t_test(e));
+  if (auto const& whole = e.slope_to_the_end(); whole.p < e.levels.test && e.transient)
+    return fmt::format("the slope to the end (t = {}, {}) is no drift: it comes from the beginning", number(whole.t, 3),
+                       probability(whole.own_p()));
   return fmt::format("no drift is seen ({}; its estimate explains {} of the final RMS)", t_test(e),
                      percent(e.drift.share));
 }
@@ -61,6 +62,19 @@ std::string visible(Estimates const& e) {
                      per(e), levels);
 }
 
+bool shares_a_course(Estimates const& e) { return e.course && !e.transient; }
+
+/// What the mean does beside a drift.
+std::string course_of(Estimates const& e) {
+  return fmt::format("the mean of all members is no straight line ({}): it keeps within ±{} of one",
+                     probability(e.model->p_course), brief(e.course->reach));
+}
+
+/// And what that may be, where nothing else is seen.
+std::string as_an_oscillation(Estimates const& e) {
+  return course_of(e) + ", as an oscillation does that the step does not resolve (a truncation error)";
+}
+
 std::string drift_sentence(Estimates const& e) {
   if (std::isinf(e.drift.t))
     return fmt::format(
@@ -68,7 +82,8 @@ std::string drift_sentence(Estimates const& e) {
         "members should differ, check what perturbs them",
         e.members, brief(e.drift.per_step), per(e));
   std::string const beside = e.samples > 1 ? "; beside it the error spreads by " + diffusion(e) : "";
-  return "the error grows on average by " + drift(e) + beside;
+  std::string const course = shares_a_course(e) ? "; " + course_of(e) + ", for which the interval allows" : "";
+  return "the error grows on average by " + drift(e) + beside + course;
 }
 
 std::string slopes_test(Estimates const& e) {
@@ -85,8 +100,9 @@ std::string persistent_sentence(Estimates const& e) {
 std::string bounded_sentence(Estimates const& e) {
   return fmt::format(
       "the error does not grow: {}, RMS {} at the end; it is spread less than a random walk of its "
-      "increments would be (F = {}, {}); its mean stays",
-      exponent(e), brief(e.rms_final), brief(e.persistence.F), probability(e.persistence.p_low));
+      "increments would be (F = {}, {}); its mean stays{}",
+      exponent(e), brief(e.rms_final), brief(e.persistence.F), probability(e.persistence.p_low),
+      shares_a_course(e) ? "; " + as_an_oscillation(e) : "");
 }
 
 std::string superlinear_sentence(Estimates const& e) {
@@ -115,19 +131,17 @@ std::string members_needed(Estimates const& e) {
                      walk_tolerance);
 }
 
-/// What F far below 1 is due to: what members share moves their mean, noise does not.
+/// What F far below 1 is due to, where the mean is a straight line.
 std::string bounded_part(Estimates const& e) {
   if (!e.model) return "noise, an oscillation";
-  if (e.model->p_course < e.levels.test)
-    return fmt::format(
-        "an oscillation that the members share, an unresolved truncation error, say: their mean moves, {}",
-        probability(e.model->p_course));
   return e.model->law().terms.noise ? "noise, or an oscillation that each member has for itself"
                                     : "noise, an oscillation";
 }
 
 std::string obstacle(Estimates const& e) {
   double const half = (e.growth.interval.high - e.growth.interval.low) / 2;
+  if (shares_a_course(e))
+    return as_an_oscillation(e) + "; compare with the same method in higher precision, or take a smaller step";
   if (e.members < 2) return "there is one member only, and drift and persistence show in how members differ; run more";
   if (e.samples < 2) return "there is one sample time only, so growth cannot be seen; observe at more times";
   if (std::isnan(half)) return "too few sample times have a non-zero error to fit a law of growth; run longer";

@@ -8,7 +8,9 @@
 namespace brouwer {
 namespace {
 
-constexpr double early = 0.25;  // of the whole time: what begins later is no beginning
+constexpr double early = 0.25;            // of the whole time: what begins later is no beginning
+constexpr double bent_level = 0.01;       // of a mean that goes on as a wave: few members, or samples, say little of it
+constexpr Eigen::Index fewest_after = 3;  // samples between it and the last: one or none cannot tell a line from a wave
 
 /// Mean and spread over members of some number of each.
 struct Sample {
@@ -20,6 +22,11 @@ struct Sample {
   }
   double p() const { return student_two_sided(values.mean() / standard_error(), members() - 1); }
 };
+
+bool is_opposite(Eigen::ArrayXd const& values, double side, double level) {
+  Sample const sample{values};
+  return sample.values.mean() * side < 0 && sample.p() < level;
+}
 
 class Course {
  public:
@@ -49,6 +56,18 @@ class Course {
     return std::min(1.0, smallest * static_cast<double>(end - start));
   }
 
+  /// Does the mean, on its way to the line that it follows from sample `end` on, leave the ground between that line and
+  /// the parallel through 0? Then it swings, and what follows is the next part of a wave.
+  bool swings(Eigen::Index end, double level) const {
+    Eigen::ArrayXd const slope = slopes(end, last()), offset = errors_.col(end).array() - slope * time(end);
+    double const side = offset.mean();
+    for (Eigen::Index j = 0; j < end; ++j) {
+      Eigen::ArrayXd const above = errors_.col(j).array() - slope * time(j);
+      if (is_opposite(above, side, level) || is_opposite(offset - above, side, level)) return true;
+    }
+    return false;
+  }
+
  private:
   Eigen::MatrixXd errors_;  // by columns: one time of all members is read at once
   Eigen::ArrayXd times_;
@@ -74,9 +93,12 @@ std::optional<Transient> transient_of(Ensemble const& ensemble, Units const& uni
   Course const course(ensemble, units);
   if (!(Sample{course.slopes(-1, course.last())}.standard_error() > 0)) return std::nullopt;  // equal members
   double const p = course.straight_p(-1);
-  Eigen::Index const latest = course.last_before(early * course.time(course.last()));
-  if (!(p < levels.test) || latest < 0 || course.straight_p(latest) < levels.test) return std::nullopt;
-  Eigen::Index const end = settled(course, -1, latest, levels.test);
+  Eigen::Index const latest =
+      std::min(course.last_before(early * course.time(course.last())), course.last() - 1 - fewest_after);
+  double const bent = std::max(levels.test, bent_level);
+  if (!(p < levels.test) || latest < 0 || course.straight_p(latest) < bent) return std::nullopt;
+  Eigen::Index const end = settled(course, -1, latest, bent);
+  if (course.swings(end, levels.test)) return std::nullopt;
   auto const after = Sample{course.slopes(end, course.last())};
   return Transient{ensemble.times[static_cast<std::size_t>(end)], p, drift_of(after, units, levels.confidence)};
 }

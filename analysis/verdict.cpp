@@ -62,11 +62,22 @@ bool bounded(Estimates const& e) { return does_not_grow(e) && has_settled(e); }
 
 bool slopes_persist(Estimates const& e) { return e.persistence.p < e.levels.test; }
 
+/// What all members share and no transient ends: their differences tell of σ, τ and ν, but no law of growth can be read
+/// from errors of which it is the largest part.
+bool shares_a_course(Estimates const& e) { return e.course && !e.transient; }
+
+bool drifts_beside_a_course(Estimates const& e) { return shares_a_course(e) && drift_is_seen(e); }
+
 bool drifts_beside_noise(Estimates const& e) { return noise_in_force(e) && drift_is_seen(e); }
 
-bool slopes_beside_noise(Estimates const& e) { return noise_in_force(e) && e.model->law().terms.slopes; }
+/// In the law, and seen.
+bool slopes_beside_noise(Estimates const& e) {
+  return noise_in_force(e) && e.model->law().terms.slopes && e.model->p_slopes < e.levels.test;
+}
 
-bool walks_beside_noise(Estimates const& e) { return noise_in_force(e) && e.model->law().terms.walk; }
+bool walks_beside_noise(Estimates const& e) {
+  return noise_in_force(e) && e.model->law().terms.walk && !e.model->law().terms.slopes;
+}
 
 bool walks(Estimates const& e) {
   auto const [low, high] = e.growth.interval;
@@ -81,12 +92,14 @@ struct Rule {
   bool (*applies)(Estimates const&);
 };
 
-constexpr std::array<Rule, 12> rules = {{
+constexpr std::array<Rule, 14> rules = {{
     {Verdict::count, is_count},
     {Verdict::exact, every_error_is_zero},
     {Verdict::not_resolved, too_little_to_tell},
     {Verdict::faster_than_drift, superlinear},
     {Verdict::bounded, bounded},
+    {Verdict::drift, drifts_beside_a_course},
+    {Verdict::not_resolved, shares_a_course},
     {Verdict::drift, drifts_beside_noise},
     {Verdict::persistent_slopes, slopes_beside_noise},
     {Verdict::random_walk, walks_beside_noise},
@@ -122,7 +135,7 @@ std::string to_string(Verdict verdict) {
 
 bool noise_in_force(Estimates const& e) {
   if (!exponent_counts(e) || e.samples < fewest_times || !e.model || !e.model->law().terms.noise) return false;
-  return std::min(e.model->p_course, e.model->p_end) >= e.levels.test;
+  return (e.course || e.model->p_course >= e.levels.test) && e.model->p_end >= e.levels.test;
 }
 
 Verdict verdict_of(Estimates const& e) {

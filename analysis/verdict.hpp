@@ -29,7 +29,11 @@ constexpr double widest_exponent_half = 0.25;  ///< a wider interval says nothin
 ///     bounded             M ≥ 8, F < 0.5 with P(F' ≤ F) < a, q's interval lies below 0.25, and neither the mean
 ///                         nor the RMS has changed at the level a since the middle of the run in log t (so an offset
 ///                         is no drift, and a walk that just emerges from bounded noise is not called bounded)
-///     drift, persistent   M ≥ 8, J ≥ 8, the full model has noise, and its p_course and p_end are at least a: the law
+///     drift               the mean is no straight line (Estimates::course, without a transient), and the t test that
+///                         allows for that sees one
+///     not resolved        it is none, and the t test sees no drift: an oscillation that all members share, say
+///     drift, persistent   M ≥ 8, J ≥ 8, the full model has noise, and neither its p_end nor, where the mean is
+///                         to be a straight line, its p_course is below a: the law
 ///       slopes, or        beside bounded noise, whatever F and q are. A drift if its p is below a, else what the
 ///       random walk       model has of slopes and walk
 ///     not resolved        as bounded, but the mean or the RMS has changed: an oscillation that all members share (a
@@ -45,7 +49,7 @@ constexpr double widest_exponent_half = 0.25;  ///< a wider interval says nothin
 Judgement judge(Estimates const& e);
 
 /// β, τ, σ are of the full model with noise: of M ≥ 8 members at J ≥ 8 times it was chosen, and neither the course of the
-/// mean nor the spread at the end contradicts it.
+/// mean (unless that was taken away first) nor the spread at the end contradicts it.
 bool noise_in_force(Estimates const& e);
 
 /// The verdict alone, and its words.

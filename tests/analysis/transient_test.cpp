@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "analysis/inference.hpp"
 #include "tests/analysis/simulated.hpp"
 
@@ -28,10 +31,13 @@ TEST(Transient, OfAJumpInTheFirstStepEndsThere) {
 
 TEST(Transient, DoesNotFakeADrift) {
   auto const e = estimate(jumping(1e-13), {});
-  EXPECT_LT(e.drift.p, e.levels.test) << "the slope to the end is significant";
-  ASSERT_TRUE(e.transient.has_value());
-  EXPECT_GT(e.transient->after.p, e.levels.test);
+  ASSERT_TRUE(e.transient.has_value() && e.course.has_value());
+  EXPECT_LT(e.course->whole.p, e.levels.test) << "the slope to the end is significant";
+  EXPECT_GT(e.drift.p, e.levels.test);
+  EXPECT_LT(e.drift.interval.low, 0);
+  EXPECT_GT(e.drift.interval.high, 0);
   EXPECT_NE(e.verdict, Verdict::drift) << e.sentence;
+  EXPECT_THAT(e.sentence, HasSubstr("is no drift: it comes from the beginning"));
   EXPECT_THAT(e.sentence, HasSubstr("until 1.00 steps the mean moves otherwise than later"));
 }
 
@@ -42,8 +48,26 @@ TEST(Transient, LeavesADriftAfterItWhatItIs) {
   auto const e = estimate(ensemble, {});
   EXPECT_EQ(e.verdict, Verdict::drift);
   ASSERT_TRUE(e.transient.has_value());
-  EXPECT_LE(e.transient->after.interval.low, 2e-17);
-  EXPECT_GE(e.transient->after.interval.high, 2e-17);
+  EXPECT_LE(e.drift.interval.low, 2e-17);
+  EXPECT_GE(e.drift.interval.high, 2e-17);
+  EXPECT_EQ(e.transient->after.interval.low, e.drift.interval.low);
+}
+
+TEST(Transient, LeavesSigmaWhatItIs) {
+  auto const plain = estimate(jumping(0), {}), e = estimate(jumping(1e-13), {});
+  EXPECT_NEAR(e.diffusion.per_sqrt_step / plain.diffusion.per_sqrt_step, 1, 0.01);
+  EXPECT_LE(e.diffusion.interval.low, 2e-16);
+  EXPECT_GE(e.diffusion.interval.high, 2e-16);
+}
+
+TEST(Transient, NeedsThreeSamplesAfterIt) {
+  auto const found = [](std::vector<double> const& times) {
+    auto ensemble = simulated({.diffusion = 2e-16}, 64, times, 7ul);
+    ensemble.errors.array() += 1e-13;
+    return estimate(ensemble, {}).transient.has_value();
+  };
+  EXPECT_TRUE(found({1, 2000, 4000, 7000, 10'000}));
+  EXPECT_FALSE(found({1, 2000, 6000, 10'000})) << "of two and the last a wave cannot be told from a line";
 }
 
 TEST(Transient, OfANonLinearBeginningEndsWhereItEnds) {
@@ -55,6 +79,18 @@ TEST(Transient, OfANonLinearBeginningEndsWhereItEnds) {
   ASSERT_TRUE(e.transient.has_value());
   EXPECT_GE(e.transient->until, 50);
   EXPECT_LE(e.transient->until, 200);
+}
+
+/// At 16 log-spaced times the last ones of this wave look like a line to 16 members, every other time.
+TEST(Transient, IsNoneWhereTheMeanSwings) {
+  Normal normal(12);
+  for (int k = 0; k < 40; ++k) {
+    auto ensemble = simulated({.diffusion = 1}, 16, log_spaced(16, 1e4), normal);
+    for (std::size_t j = 0; j < ensemble.times.size(); ++j)
+      ensemble.errors.col(static_cast<Eigen::Index>(j)).array() +=
+          100 * std::sin(2 * std::numbers::pi * 37.3 * ensemble.times[j] / 1e4);
+    EXPECT_FALSE(estimate(ensemble, {}).transient.has_value()) << k;
+  }
 }
 
 TEST(Transient, IsNoneWhereTheMeanNeverBecomesStraight) {

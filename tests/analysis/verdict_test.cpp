@@ -137,6 +137,8 @@ TEST(Verdict, BesideBoundedNoiseIsTheFullModels) {
       HasSubstr(
           "told apart from bounded noise of 3.00e-15 (95 %: 2.90e-15 … 3.10e-15) by restricted maximum likelihood"));
   e.model->candidates[0].terms.slopes = true;
+  EXPECT_EQ(verdict_of(e), Verdict::not_resolved) << "in the law, but not seen";
+  e.model->p_slopes = 1e-5;
   EXPECT_EQ(verdict_of(e), Verdict::persistent_slopes);
   EXPECT_THAT(sentence_of(e, verdict_of(e)), HasSubstr("likelihood ratio, p = "));
   e.drift.p = 1e-9;

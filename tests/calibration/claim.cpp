@@ -54,7 +54,7 @@ Answer walk_beside_noise(Trial const& t) {
 }
 Answer slopes_beside_noise(Trial const& t) {
   if (!t.estimates.model || !t.estimates.model->law().terms.noise) return {};
-  return t.estimates.model->law().terms.slopes;
+  return t.estimates.model->law().terms.slopes && t.estimates.model->p_slopes < t.estimates.levels.test;
 }
 Answer course_at_5(Trial const& t) {
   return of_model(t, [](FullModel const& m) { return m.p_course < 0.05; });
@@ -97,16 +97,23 @@ Names const brownian = {"walk", "drift", "visible drift", "strong drift"};
 Names const brownian_or_slopes = brownian + Names{"slopes"};
 Names const correlated = {"AR +0.3", "AR −0.3"};
 Names const heavy = {"t(5)", "t(3)", "skewed", "unequal", "wild"};
-Names const shared = {"transient", "oscillation"};
+Names const waves = {"oscillation", "slow wave", "fast wave", "drift + wave", "wave of all"};
+Names const shared = waves + Names{"transient"};
+Names const noisy_heavy = {"t(3) + noise", "unequal + noise"};
 Names const noisy = {"noise", "all"};
 /// Members are independent and their errors normal: the laws of β and t are exact whatever else grows or does not.
 Names const normal = brownian + correlated + noisy + Names{"slopes", "bounded"};
 Names const uncorrelated = brownian_or_slopes + heavy;
 Names const gaussian = brownian_or_slopes + correlated;
 Names const drifting = {"drift", "visible drift", "strong drift", "all"};
-Names const no_drift = Names{"walk", "slopes", "noise", "bounded"} + correlated + heavy + shared;
-Names const no_slopes = brownian + Names{"noise"} + correlated + heavy + shared;
-Names const no_noise = brownian_or_slopes + correlated + heavy + shared;
+Names const still_waves = {"oscillation", "slow wave", "fast wave"};
+Names const still = Names{"walk", "slopes", "noise", "bounded", "transient"} + correlated + heavy + noisy_heavy;
+Names const no_drift = still + still_waves;
+Names const no_slopes = brownian + Names{"noise"} + correlated + heavy + still_waves + Names{"transient"} + noisy_heavy;
+Names const no_noise = brownian_or_slopes + correlated + heavy + still_waves + Names{"transient"};
+
+/// Means of members are straight lines.
+Names const straight = normal + heavy + noisy_heavy + Names{"phase", "sweep"};
 
 // --- and how often it is to be so -------------------------------------------------------------------------------------
 
@@ -119,8 +126,13 @@ constexpr Nominal visible{0.9, 0.003, Side::power};
 constexpr Nominal told{};
 
 std::vector<Claim> const all = {
-    {"95 % interval of β", covered, beta, {}, normal},
-    {"95 % interval of σ", covered, sigma, {}, brownian_or_slopes},
+    {"95 % interval of β", covered, beta, straight, normal},
+    {"95 % interval of σ", covered, sigma, brownian_or_slopes + correlated + heavy + Names{"bounded"} + noisy_heavy,
+     brownian_or_slopes},
+    {"95 % interval of β where all share a course", nearly_covered, beta, shared, shared, 8, 16},
+    {"95 % interval of σ where all share a course", nearly_covered, sigma, shared, still_waves + Names{"transient"}, 8,
+     8},
+    {"95 % interval of σ beside noise", nearly_covered, sigma, noisy, noisy, 8, 32},
     {"95 % interval of τ", nearly_covered, tau, {}, brownian_or_slopes, 8},
     {"95 % interval of ν, where noise is found", nearly_covered, nu, noisy + Names{"bounded"}, noisy + Names{"bounded"},
      8, 16},
@@ -133,7 +145,12 @@ std::vector<Claim> const all = {
     {"slopes where there are none, p < 0.001", at_01, slopes_at_01, no_slopes, brownian, 2, 2, true},
     {"F too small for a walk, p < 0.05", at_5, low_F_at_5, no_slopes, brownian},
     {"noise chosen where there is none", at_01, noise_chosen, no_noise, brownian_or_slopes, 2, 2, true},
-    {"slopes found beside noise where there are none", at_01, slopes_beside_noise, {"noise", "bounded"}, {"noise"}, 8},
+    {"slopes found beside noise where there are none",
+     at_01,
+     slopes_beside_noise,
+     Names{"noise", "bounded"} + noisy_heavy,
+     {"noise"},
+     8},
     {"a walk found beside noise where there is none", at_01, walk_beside_noise, {"bounded"}, {"bounded"}, 8},
     {"mean of the members not straight, p < 0.05", at_5, course_at_5, normal + heavy, brownian_or_slopes},
     {"spread at the end not the law's, p < 0.05", at_5, end_at_5, normal + heavy, {}},
@@ -144,10 +161,13 @@ std::vector<Claim> const all = {
      brownian + Names{"t(5)"}, 64},
     {"transient found where there is none", at_01, transient_found, normal + heavy, normal, 2, 2, true},
     {"|β| < δ proven where β = δ, p < 0.05", at_5, proven_small, drifting, drifting},
-    {"verdict 'drift' where there is none", at_01, called_drift, no_drift, {"walk", "slopes", "noise"}, 2, 2, true},
+    {"verdict 'drift' where there is none", at_01, called_drift, still, {"walk", "slopes", "noise"}, 2, 2, true},
     {"the smallest visible drift is seen, p < 0.001", visible, drift_at_01, {"visible drift"}, {"visible drift"}},
-    {"power: noise is chosen", told, noise_chosen, noisy + Names{"bounded"}, {}},
-    {"power: slopes are chosen", told, slopes_chosen, {"slopes", "all"}, {}},
+    {"verdict 'drift' where all share a wave", at_01, called_drift, still_waves, still_waves, 8, 16},
+    {"verdict 'random walk' where all share a wave", told, called_walk, waves, {}},
+    {"power: a drift is seen beside a wave", told, called_drift, {"drift + wave"}, {}},
+    {"power: noise is chosen", told, noise_chosen, noisy + Names{"bounded"} + noisy_heavy, {}},
+    {"power: slopes are chosen", told, slopes_chosen, {"slopes", "all", "wave of all"}, {}},
     {"power: a transient is found", told, transient_found, shared, {}},
     {"power: increments are correlated, p < 0.05", told, correlated_at_5, correlated + noisy, {}},
     {"power: variance ratios are not 1, p < 0.05", told, ratio_at_5, correlated + noisy, {}},

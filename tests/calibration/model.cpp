@@ -39,6 +39,17 @@ void oscillate_together(Ensemble& ensemble, Normal&) {
   add_shared(ensemble, [](double t) { return std::sin(2 * std::numbers::pi * 37.3 * t); });
 }
 
+/// x(t) − x(0) of a wave of random phase, its number of periods in a run log-uniform between two bounds.
+void add_wave(Ensemble& ensemble, Normal& normal, double fewest, double most) {
+  double const periods = fewest * std::pow(most / fewest, normal(uniform));
+  double const phase = 2 * std::numbers::pi * normal(uniform);
+  add_shared(ensemble,
+             [&](double t) { return std::sin(2 * std::numbers::pi * periods * t + phase) - std::sin(phase); });
+}
+
+void oscillate_slowly(Ensemble& ensemble, Normal& normal) { add_wave(ensemble, normal, 1, 10); }
+void oscillate_fast(Ensemble& ensemble, Normal& normal) { add_wave(ensemble, normal, 10, 1000); }
+
 std::vector<Model> const all = {
     {.name = "walk", .words = "σ = 1: Brownian motion", .law = {.diffusion = 1}, .time_exponent = 0.5},
     {.name = "drift", .words = "… and β = ½", .law = {.drift = 0.5, .diffusion = 1}},
@@ -96,6 +107,34 @@ std::vector<Model> const all = {
      .law = {.diffusion = 1},
      .hostile = true,
      .spoil = oscillate_together},
+    {.name = "slow wave",
+     .words = "… sin(2πft + φ) − sin φ, φ random, f log-uniform from 1 to 10",
+     .law = {.diffusion = 1},
+     .hostile = true,
+     .spoil = oscillate_slowly},
+    {.name = "fast wave",
+     .words = "… f from 10 to 1000",
+     .law = {.diffusion = 1},
+     .hostile = true,
+     .spoil = oscillate_fast},
+    {.name = "drift + wave",
+     .words = "… beside β = 30",
+     .law = {.drift = 30, .diffusion = 1},
+     .hostile = true,
+     .spoil = oscillate_fast},
+    {.name = "wave of all",
+     .words = "fast wave and all: β = ½, τ = 1, ν = 0.1",
+     .law = {0.5, 1, 1, 0.1},
+     .hostile = true,
+     .spoil = oscillate_fast},
+    {.name = "t(3) + noise",
+     .words = "increments of Student's t(3), and ν = 0.1",
+     .law = {.diffusion = 1, .noise = 0.1, .shape = student_3},
+     .hostile = true},
+    {.name = "unequal + noise",
+     .words = "each member its own σᵢ, and ν = 0.1",
+     .law = {.diffusion = 1, .noise = 0.1, .inequality = 0.5},
+     .hostile = true},
     {.name = "sweep",
      .words = "walks at h = 0.01, 0.03, 0.1 with σ ∝ h per √step, members sharing part of their path",
      .law = {.diffusion = 1},
