@@ -45,8 +45,8 @@ std::vector<Candidate> candidates_of(GrowthFits const& fits, Units const& units)
 /// Of the mean's course against the rest of the members.
 double course_p(GrowthStatistics const& statistics, double rho) {
   auto const r = statistics.at(rho);
-  double const m = statistics.times() - 1, n = m * (statistics.members() - 1);
-  return fisher_upper(r.course / m / ((r.residual - r.course) / n), m, n);
+  double const m = statistics.times() - 1, n = m * (statistics.members() - 1), epsilon = statistics.sphericity(rho);
+  return fisher_upper(r.course / m / ((r.residual - r.course) / n), epsilon * m, epsilon * n);
 }
 
 void test_drift(FullModel& model, GrowthFit const& fit, GrowthStatistics const& statistics, Units const& units,

@@ -51,8 +51,13 @@ GrowthStatistics::GrowthStatistics(Ensemble const& ensemble, Units const& units,
   scatter_ -= members_ * mean_rest_ * mean_rest_.transpose();
 }
 
+Eigen::ArrayXd GrowthStatistics::metric(double rho) const {
+  if (std::isinf(rho)) return eigenvalues_;
+  return 1 + rho * eigenvalues_;
+}
+
 Reduced GrowthStatistics::at(double rho) const {
-  Eigen::ArrayXd const d = std::isinf(rho) ? eigenvalues_ : 1 + rho * eigenvalues_;
+  Eigen::ArrayXd const d = metric(rho);
   Eigen::VectorXd const z = w_ / d;
   Reduced r;
   r.log_determinant = d.log().sum();
@@ -64,6 +69,18 @@ Reduced GrowthStatistics::at(double rho) const {
   r.course = members_ * ((mean_rest_.array().square() / d).sum() - shift * shift / r.precision);
   r.residual = (scatter_.diagonal().array() / d).sum() - squares / r.precision + r.course;
   return r;
+}
+
+double GrowthStatistics::sphericity(double rho) const {
+  double const n = members_ - 1, k = times() - 1;
+  if (n < 2) return 1;
+  Eigen::VectorXd const scale = metric(rho).rsqrt().matrix();
+  Eigen::MatrixXd const A = scale.asDiagonal() * scatter_ * scale.asDiagonal();
+  Eigen::VectorXd const slope = scale.cwiseProduct(w_.matrix()).normalized(), image = A * slope;
+  double const along = slope.dot(image), trace = A.trace() - along;
+  double const squares = A.squaredNorm() - 2 * image.squaredNorm() + along * along;
+  double const excess = n * squares - trace * trace;  // n(n−1)(n+2) tr Σ² in the mean
+  return excess > 0 ? std::min(1.0, ((n + 1) * trace * trace - 2 * squares) / (k * excess)) : 1;
 }
 
 }  // namespace brouwer

@@ -48,7 +48,14 @@ class GrowthStatistics {
   /// @param rho  ν²/σ² in scaled units, 0 … ∞; ∞ is noise alone
   Reduced at(double rho) const;
 
+  /// ε = (tr Σ)²/((J−1) tr Σ²), Σ the covariance of what is left of a member beside its slope, in the metric 1/d: 1 where it
+  /// is as the law says, 1/(J−1) where it is one shape. Of the sample's traces the bias is taken out, exactly for normal
+  /// errors [B. Lecoutre, J. Educ. Stat. 16 (1991) 371]; at most 1, and 1 for two members.
+  double sphericity(double rho) const;
+
  private:
+  Eigen::ArrayXd metric(double rho) const;
+
   double members_ = 0, rests_ = 0, duration_ = 0, mean_slope_ = 0, slope_spread_ = 0;
   Eigen::ArrayXd eigenvalues_, w_;             // Λ, Qᵀu
   Eigen::VectorXd mean_rest_, slope_by_rest_;  // r̄, Σ (sᵢ − s̄) rᵢ
