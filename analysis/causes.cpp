@@ -21,11 +21,14 @@ constexpr CauseName names[] = {
     {Cause::repeated_rounding, "repeated rounding"},
     {Cause::constants_or_rounding, "rounded constants under repeated rounding"},
     {Cause::constants_and_rounding, "rounded constants, and repeated rounding"},
+    {Cause::needs_constants, "rounded constants, perhaps under repeated rounding"},
+    {Cause::needs_rounding, "repeated rounding, perhaps of rounded constants"},
     {Cause::coefficients, "coefficients"},
     {Cause::functions, "functions"},
     {Cause::summation, "summation"},
     {Cause::contraction, "products"},
     {Cause::unnamed, "unnamed"},
+    {Cause::round_off, "round-off"},
     {Cause::not_resolved, "not resolved"},
 };
 
@@ -37,40 +40,42 @@ struct Rule {
 
 bool gone(Evidence const& e, Change change) { return e.fate(change) == Fate::gone; }
 bool there(Evidence const& e, Change change) { return e.fate(change) == Fate::there; }
+bool is_there_with_either(Evidence const& e) {
+  return there(e, Change::constants) && there(e, Change::unbiased_rounding);
+}
 
 constexpr Rule rules[] = {
     {Cause::truncation, [](Evidence const& e) { return there(e, Change::higher_precision); }},
     {Cause::rounding_mode, [](Evidence const& e) { return gone(e, Change::nearest_for_directed); }},
     {Cause::constants_or_rounding,
      [](Evidence const& e) { return gone(e, Change::constants) && gone(e, Change::unbiased_rounding); }},
-    {Cause::constants, [](Evidence const& e) { return gone(e, Change::constants); }},
-    {Cause::repeated_rounding, [](Evidence const& e) { return gone(e, Change::unbiased_rounding); }},
+    {Cause::constants,
+     [](Evidence const& e) { return gone(e, Change::constants) && there(e, Change::unbiased_rounding); }},
+    {Cause::repeated_rounding,
+     [](Evidence const& e) { return there(e, Change::constants) && gone(e, Change::unbiased_rounding); }},
+    {Cause::needs_constants, [](Evidence const& e) { return gone(e, Change::constants); }},
+    {Cause::needs_rounding, [](Evidence const& e) { return gone(e, Change::unbiased_rounding); }},
     {Cause::constants_and_rounding,
-     [](Evidence const& e) {
-       return there(e, Change::constants) && there(e, Change::unbiased_rounding) &&
-              gone(e, Change::constants_and_rounding);
-     }},
+     [](Evidence const& e) { return is_there_with_either(e) && gone(e, Change::constants_and_rounding); }},
     {Cause::coefficients, [](Evidence const& e) { return gone(e, Change::coefficients); }},
     {Cause::functions, [](Evidence const& e) { return gone(e, Change::functions); }},
     {Cause::summation, [](Evidence const& e) { return gone(e, Change::sum); }},
     {Cause::contraction, [](Evidence const& e) { return gone(e, Change::products); }},
-    {Cause::unnamed, [](Evidence const& e) { return e.is_there_in_all(); }},
+    {Cause::unnamed,
+     [](Evidence const& e) {
+       return is_there_with_either(e) && there(e, Change::constants_and_rounding) && gone(e, Change::higher_precision);
+     }},
+    {Cause::round_off, [](Evidence const& e) { return gone(e, Change::higher_precision); }},
     {Cause::not_resolved, [](Evidence const&) { return true; }},
 };
 
-bool grows_faster(Estimates const& e) { return e.verdict == Verdict::faster_than_drift; }
-
 bool drifts(Estimates const& e) {
-  return (e.verdict == Verdict::drift || grows_faster(e)) && e.drift.p < e.levels.test;
-}
-
-bool keeps_slopes(Estimates const& e) {
-  return e.verdict == Verdict::persistent_slopes || (grows_faster(e) && e.persistence.p < e.levels.test);
+  return (e.verdict == Verdict::drift || e.verdict == Verdict::faster_than_drift) && e.drift.p < e.levels.test;
 }
 
 Subject subject_of(Explanation const& e) {
   if (drifts(e.nominal)) return Subject::drift;
-  if (keeps_slopes(e.nominal)) return Subject::slopes;
+  if (e.nominal.verdict == Verdict::persistent_slopes) return Subject::slopes;
   bool const of_method = Evidence(e, Subject::size).fate(Change::higher_precision) == Fate::there;
   return of_method ? Subject::size : Subject::nothing;
 }

@@ -6,18 +6,23 @@ namespace brouwer {
 /// Fills subject, cause and sentence of an explanation from its compared cells.
 ///
 /// The subject is the drift where one is seen, else the persistent slopes, else the size of the error where that is the
-/// method's own. Of it each cell has more than half, or less (fate.hpp), all of them at once at the confidence of the
-/// explanation: a cause is named falsely in at most so many studies. The first line that applies:
+/// method's own. Of it each cell has more than half, or less (fate.hpp); the intervals that prove it hold for all cells of
+/// one explanation together, so at most so many of them name a cause falsely. The first line that applies:
 ///
 ///     truncation              there in higher precision
 ///     rounding mode           nominal rounding is directed, and it is gone with nearest
-///     constants               gone with exact constants; there, or not known, with stochastic rounding
-///     repeated rounding       gone with stochastic rounding; there, or not known, with exact constants
-///     constants or rounding   gone with either: both are needed to make it
+///     constants or rounding   gone with exact constants, and gone with stochastic rounding: it takes both
+///     constants               gone with exact constants, there with stochastic rounding
+///     repeated rounding       there with exact constants, gone with stochastic rounding
+///     needs constants         gone with exact constants; with stochastic rounding not resolved, or not asked
+///     needs rounding          the other way round
 ///     constants and rounding  there with either, gone with both: each makes one of its own
 ///     coefficients, functions, summation, contraction     gone with another level of that factor alone
-///     unnamed                 there in every cell
+///     unnamed                 there with either and with both, gone in higher precision
+///     round-off               gone in higher precision
 ///     not resolved            otherwise
+///
+/// Cells of higher precision may have the standard operations and our own functions: of those it has no others.
 void name_cause(Explanation& explanation);
 
 /// β/β₀, τ²/τ₀² or the ratio of sizes, as the subject has it.

@@ -39,7 +39,7 @@ char const* property(Subject subject) {
 Picture picture_of(Explanation const& e, std::vector<Explanation> const& all, std::size_t number) {
   Picture picture{fmt::format("causes-{}", number),
                   fmt::format("What makes {}: {}", property(e.subject), to_string(e.cause)),
-                  subject_line(e, all) + "; green: less than half of it is left; orange: more",
+                  subject_line(e, all) + "; green: less than half of it is left; orange: more; grey: not resolved",
                   fmt::format("left of {} of the nominal cell, %", property(e.subject)),
                   {}};
   for (auto const& cell : e.cells)
@@ -60,17 +60,17 @@ char const* colour_of(Share const& left) {
   return "";
 }
 
-double percent(double share) { return 100 * std::clamp(share, -2 * widest, 2 * widest); }
+/// gnuplot's axis ends long before.
+double percent(double share) { return 100 * std::clamp(share, -1e6, 1e6); }
 
-/// y, value, low, high in percent, colour.
+/// y, value, low, high in percent, colour, and whether it is drawn to scale.
 std::string data_of(Picture const& picture) {
-  std::string text = "# line  left  low  high  colour\n";
+  std::string text = "# line  left  low  high  colour  fits\n";
   for (std::size_t i = 0; i < picture.lines.size(); ++i) {
     auto const& left = picture.lines[i].left;
-    if (picture.lines[i].fits())
-      text += fmt::format("{} {} {} {} {}\n", picture.lines.size() - i, plot_number(percent(left.value)),
-                          plot_number(percent(left.interval.low)), plot_number(percent(left.interval.high)),
-                          colour_of(left));
+    text += fmt::format("{} {} {} {} {} {}\n", picture.lines.size() - i, plot_number(percent(left.value)),
+                        plot_number(percent(left.interval.low)), plot_number(percent(left.interval.high)),
+                        colour_of(left), picture.lines[i].fits() ? 1 : 0);
   }
   return text;
 }
@@ -89,24 +89,30 @@ Interval range_of(Picture const& picture) {
 
 /// In pixels.
 struct Frame {
-  int left, height, width = 460, head = 66, foot = 56, right = 130;
+  int left, right, height, width = 460, head = 66, foot = 56;
   int all_width() const { return left + width + right; }
   int all_height() const { return head + height + foot; }
   std::string x(int pixels) const { return fmt::format("{:.5f}", static_cast<double>(pixels) / all_width()); }
   std::string y(int pixels) const { return fmt::format("{:.5f}", static_cast<double>(pixels) / all_height()); }
 };
 
+/// Fonts differ: with some room to spare.
+int room_for(std::string const& text) { return 24 + pixels_of(text, 13); }
+
 Frame frame_of(Picture const& picture) {
-  int longest = 60;
-  for (auto const& line : picture.lines) longest = std::max(longest, pixels_of(line.words, 11));
-  return {longest + 30, std::max(90, 24 * static_cast<int>(picture.lines.size() + 1))};
+  int left = 0, right = 0;
+  for (auto const& line : picture.lines) {
+    left = std::max(left, room_for(line.words));
+    right = std::max(right, room_for(percent_range(line.left.interval)));
+  }
+  return {left, right, std::max(90, 24 * static_cast<int>(picture.lines.size() + 1))};
 }
 
 std::string label(std::string const& text, std::string const& place, std::string const& how) {
   return fmt::format("set label {} at {} {} noenhanced\n", gnuplot_string(text), place, how);
 }
 
-/// Names at the left, numbers at the right.
+/// Names at the left, numbers at the right; a triangle at the edge where a cell is not drawn to scale.
 std::string labels_of(Picture const& picture, Frame const& frame, double unit) {
   std::string text;
   for (std::size_t i = 0; i < picture.lines.size(); ++i) {
@@ -115,6 +121,10 @@ std::string labels_of(Picture const& picture, Frame const& frame, double unit) {
       return fmt::format("screen {}, first {}", frame.x(pixels), picture.lines.size() - i);
     };
     text += label(line.words, at(frame.left - 8), fmt::format("right font ',{:g}'", 11 * unit));
+    bool const above = line.left.value > 0;
+    if (!line.fits())
+      text += label(above ? "▶" : "◀", at(above ? frame.left + frame.width - 4 : frame.left + 4),
+                    fmt::format("{} textcolor rgb {}", above ? "right" : "left", colour_of(line.left)));
     text += label(percent_range(line.left.interval), at(frame.left + frame.width + 8),
                   fmt::format("left font ',{:g}'", 10 * unit));
   }
@@ -147,8 +157,9 @@ std::string script_of(Picture const& picture, FigureFormat format) {
   for (int const at : {0, 100})
     text += fmt::format("set arrow from {0}, graph 0 to {0}, graph 1 nohead lw 1.2 dt 2 lc rgb '#444444'\n", at);
   return text +
-         fmt::format("plot {} using 2:1:3:4:5 with xerrorbars pt 7 ps 0.7 lw 1.8 lc rgb variable\nunset output\n",
-                     gnuplot_string(picture.stem + ".dat"));
+         fmt::format(
+             "plot {} using ($6 ? $2 : NaN):1:3:4:5 with xerrorbars pt 7 ps 0.7 lw 1.8 lc rgb variable\nunset output\n",
+             gnuplot_string(picture.stem + ".dat"));
 }
 
 }  // namespace

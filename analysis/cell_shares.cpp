@@ -11,6 +11,9 @@
 namespace brouwer {
 namespace {
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr Interval anything{-infinite, infinite};
+
 double mean_product(Eigen::ArrayXd const& a, Eigen::ArrayXd const& b) {
   return ((a - a.mean()) * (b - b.mean())).sum() / static_cast<double>(a.size() - 1);
 }
@@ -24,7 +27,8 @@ MemberRatio ratio_of(Eigen::ArrayXd const& a, Eigen::ArrayXd const& b) {
 /// √ of a ratio of two sums of squares.
 Share root_ratio(Eigen::ArrayXd const& a, Eigen::ArrayXd const& b, double confidence) {
   auto const ratio = ratio_of(a, b);
-  if (!(ratio.a > 0 && ratio.b > 0)) return {};
+  if (!(ratio.a >= 0 && ratio.b > 0)) return {};
+  if (ratio.a == 0) return {0, {0, 0}};
   auto const squares = ratio.log_interval(a.size(), confidence);
   return {std::sqrt(ratio.value()), {std::sqrt(squares.low), std::sqrt(squares.high)}};
 }
@@ -34,16 +38,16 @@ Share root_ratio(Eigen::ArrayXd const& a, Eigen::ArrayXd const& b, double confid
 Share share_of_means(Eigen::ArrayXd const& a, Eigen::ArrayXd const& b, double confidence) {
   auto const members = static_cast<double>(a.size());
   double const t = student_upper_quantile((1 - confidence) / 2, members - 1), g = t * t / members;
-  Eigen::ArrayXd const d = a - b;
+  Eigen::ArrayXd const difference = a - b;
+  bool const near_one = std::abs(difference.mean()) < 0.5 * std::abs(b.mean());
+  double const base = near_one ? 1 : 0;
+  Eigen::ArrayXd const& d = near_one ? difference : a;
   double const db = d.mean(), bb = b.mean();
   double const A = bb * bb - g * mean_product(b, b), B = db * bb - g * mean_product(d, b),
                C = db * db - g * mean_product(d, d);
-  if (!(A > 0)) {
-    double const infinite = std::numeric_limits<double>::infinity();
-    return {1 + db / bb, {-infinite, infinite}};
-  }
+  if (!(A > 0)) return {base + db / bb, anything};
   double const root = std::sqrt(std::max(0.0, B * B - A * C));
-  return {1 + db / bb, {1 + (B - root) / A, 1 + (B + root) / A}};
+  return {base + db / bb, {base + (B - root) / A, base + (B + root) / A}};
 }
 
 Eigen::ArrayXd slope_variances(MemberStatistics const& s) {

@@ -1,6 +1,7 @@
 #include "analysis/evidence.hpp"
 
 #include <algorithm>
+#include <brouwer/spelling.hpp>
 
 #include "analysis/causes.hpp"
 
@@ -17,9 +18,14 @@ struct Making {
 
 bool is_directed(std::string const& rounding) { return rounding != "nearest" && rounding != "stochastic"; }
 
+/// What other operations and functions do is as small there as all round-off.
+bool is_of_precision(Changed const& changed) {
+  return contains(changed, "arithmetic") && !contains(changed, "sum") && !contains(changed, "coefficients");
+}
+
 constexpr Making makings[] = {
     {Change::higher_precision,
-     [](ComparedCell const& c, Explanation const& e) { return c.changed == Changed{"arithmetic"} && c.bits > e.bits; }},
+     [](ComparedCell const& c, Explanation const& e) { return is_of_precision(c.changed) && c.bits > e.bits; }},
     {Change::nearest_for_directed,
      [](ComparedCell const& c, Explanation const& e) {
        return c.changed == Changed{"rounding"} && c.cell.rounding == "nearest" && is_directed(e.nominal.cell.rounding);
@@ -58,13 +64,6 @@ ComparedCell const* Evidence::cell(Change change) const {
 Fate Evidence::fate(Change change) const {
   auto const* const found = cell(change);
   return found ? fate_of(left_of(*found, subject_)) : Fate::unknown;
-}
-
-bool Evidence::is_there_in_all() const {
-  auto const& cells = explanation_.cells;
-  return !cells.empty() && std::all_of(cells.begin(), cells.end(), [&](ComparedCell const& c) {
-    return c.bits != explanation_.bits || fate_of(left_of(c, subject_)) == Fate::there;
-  });
 }
 
 }  // namespace brouwer

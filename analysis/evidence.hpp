@@ -28,8 +28,6 @@ class Evidence {
   Fate fate(Change change) const;
   /// The cell that carries that fate; none where no cell makes this change.
   ComparedCell const* cell(Change change) const;
-  /// There is a cell, and it is there in all of them but those of wider and narrower arithmetic.
-  bool is_there_in_all() const;
 
  private:
   Explanation const& explanation_;

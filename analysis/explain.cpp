@@ -6,6 +6,8 @@
 #include <brouwer/error.hpp>
 #include <map>
 #include <optional>
+#include <set>
+#include <span>
 
 #include "analysis/causes.hpp"
 #include "analysis/cell_shares.hpp"
@@ -59,10 +61,12 @@ std::vector<Seen> look_at(Design const& design, Levels const& levels, double& sc
 std::string reason_to_leave_out(Seen const& nominal, Seen const& seen) {
   auto const words = changes_in_words(changed_factors(nominal.cell, seen.cell), seen.cell);
   auto const& slope = seen.statistics.slope;
-  if (2 * seen.estimates.members < nominal.estimates.members)
+  bool const narrower = seen.bits < nominal.bits;  // of little interest: it is not to cost the others their members
+  double const least = (narrower ? 0.9 : 0.5) * static_cast<double>(nominal.estimates.members);
+  if (static_cast<double>(seen.estimates.members) < least)
     return fmt::format("{}: {} of {} members failed{}", words, seen.estimates.failed,
                        seen.estimates.failed + seen.estimates.members, and_why(seen.estimates));
-  if (seen.bits < nominal.bits && slope.size() > 0 && (slope == slope[0]).all())
+  if (narrower && slope.size() > 0 && (slope == slope[0]).all())
     return fmt::format("{}: its members do not differ, their starts are rounded to the same numbers", words);
   return "";
 }
@@ -113,6 +117,13 @@ std::string pair_members(std::vector<Seen>& cells) {
                      cells.front().estimates.members);
 }
 
+/// Members of the nominal cell that are not in this one.
+std::int64_t lost_members(Seen const& nominal, Seen const& seen) {
+  std::set<std::string> const there(seen.names.begin(), seen.names.end());
+  return std::count_if(nominal.names.begin(), nominal.names.end(),
+                       [&](auto const& name) { return !there.contains(name); });
+}
+
 std::vector<ComparedCell> compare_all(std::vector<Seen> const& cells, double scale, double confidence) {
   std::vector<ComparedCell> found;
   for (auto const& seen : std::span(cells).subspan(1)) {
@@ -121,7 +132,7 @@ std::vector<ComparedCell> compare_all(std::vector<Seen> const& cells, double sca
     cell.cell = seen.cell;
     cell.bits = seen.bits;
     cell.changed = changed_factors(cells.front().cell, seen.cell);
-    cell.failed = seen.estimates.failed;
+    cell.lost = lost_members(cells.front(), seen);
     found.push_back(std::move(cell));
   }
   return found;
@@ -149,8 +160,9 @@ std::vector<MemberStatistics> factorial_of(std::vector<Seen> const& cells, std::
   return found;
 }
 
-std::vector<FactorialEffect> effects_of(std::vector<Seen> const& cells, double scale, double confidence) {
-  std::vector<std::string> factors, words;
+/// The factors of which a cell is there that has changed nothing else; and their words.
+std::vector<std::string> factors_alone(std::vector<Seen> const& cells, std::vector<std::string>& words) {
+  std::vector<std::string> factors;
   for (auto const* factor : {"constants", "rounding", "sum"}) {
     auto const alone = std::find_if(cells.begin(), cells.end(), [&](Seen const& seen) {
       return changed_factors(cells.front().cell, seen.cell) == std::vector<std::string>{factor} &&
@@ -160,8 +172,20 @@ std::vector<FactorialEffect> effects_of(std::vector<Seen> const& cells, double s
     factors.emplace_back(factor);
     words.push_back(level_in_words(factor, alone->cell));
   }
-  auto const factorial = factorial_of(cells, factors);
-  if (factors.empty() || factorial.empty()) return {};
+  return factors;
+}
+
+/// Of the largest factorial that is whole: the last factors are given up where a cell is missing.
+std::vector<FactorialEffect> effects_of(std::vector<Seen> const& cells, double scale, double confidence) {
+  std::vector<std::string> words;
+  auto factors = factors_alone(cells, words);
+  auto factorial = factorial_of(cells, factors);
+  while (factorial.empty()) {
+    factors.pop_back();
+    words.pop_back();
+    factorial = factorial_of(cells, factors);
+  }
+  if (factors.empty()) return {};
   auto effects = factorial_effects(factorial, words, confidence);
   for (auto& effect : effects) effect.drift = unscaled(effect.drift, scale);
   return effects;
@@ -171,9 +195,10 @@ std::vector<FactorialEffect> effects_of(std::vector<Seen> const& cells, double s
 
 std::string other_rounding(std::string const& nominal) { return nominal == "stochastic" ? "nearest" : "stochastic"; }
 
-Explanation explain(Design const& design, Levels const& levels) {
+std::optional<Explanation> explain(Design const& design, Levels const& levels) {
   double scale = 1;
   auto cells = look_at(design, levels, scale);
+  if (cells.front().estimates.count) return std::nullopt;
   Explanation found;
   found.nominal = cells.front().estimates;
   found.bits = cells.front().bits;

@@ -29,7 +29,7 @@ JsonObject& add_cell(JsonObject& object, CellLabels const& cell) {
 
 std::string json_of(ComparedCell const& c) {
   JsonObject object;
-  add_cell(object, c.cell).list("changed", c.changed).whole("bits", c.bits).whole("failed", c.failed);
+  add_cell(object, c.cell).list("changed", c.changed).whole("bits", c.bits).whole("lost", c.lost);
   object.add("drift", json_of(c.drift)).real("p_of_equal_drift", c.p).add("drift_left", json_of(c.drift_left));
   object.add("slopes_left", json_of(c.slopes_left)).add("diffusion_left", json_of(c.diffusion_left));
   return object.add("size_left", json_of(c.size_left)).json();
@@ -53,10 +53,18 @@ std::string json_of(Explanation const& e) {
   auto const& n = e.nominal;
   JsonObject object;
   add_cell(object, n.cell).text("quantity", n.quantity).text("unit", n.unit).text("verdict", to_string(n.verdict));
-  object.whole("members", e.members).real("confidence", e.confidence).add("drift", json_of(n.drift));
+  object.whole("members", n.members)
+      .whole("failed", n.failed)
+      .whole("compared", e.members)
+      .real("confidence", e.confidence)
+      .add("drift", json_of(n.drift));
   object.real("diffusion", n.diffusion.per_sqrt_step).real("slopes", n.persistence.per_step).real("F", n.persistence.F);
   object.text("subject", to_string(e.subject)).text("cause", to_string(e.cause)).text("sentence", e.sentence);
-  return object.add("cells", json_of(e.cells)).add("effects", json_of(e.effects)).list("left_out", e.left_out).json();
+  return object.add("cells", json_of(e.cells))
+      .add("effects", json_of(e.effects))
+      .list("left_out", e.left_out)
+      .list("not_run", e.not_run)
+      .json();
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/causes.hpp"
 #include "analysis/escape.hpp"
 #include "analysis/factors.hpp"
 #include "analysis/fate.hpp"
@@ -17,12 +18,14 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// Without its interval where that would not show.
+/// As ± where the interval is nearly symmetric, else from … to; alone where the interval would not show.
 std::string in_units(double unit, Share const& share) {
   if (std::isnan(share.value)) return "–";
-  Interval const scaled{unit * share.interval.low, unit * share.interval.high};
-  bool const shows = !(scaled.high - scaled.low < 2e-3 * unit * std::abs(share.value));
-  return shows ? measured(unit * share.value, scaled) : number(unit * share.value, 4);
+  double const value = unit * share.value, low = unit * share.interval.low, high = unit * share.interval.high;
+  if (!std::isfinite(low) || !std::isfinite(high)) return "any";
+  if (high - low < 2e-3 * std::abs(value) || high == low) return number(value, 4);
+  bool const skewed = high - value > 1.5 * (value - low) || value - low > 1.5 * (high - value);
+  return skewed ? fmt::format("{} … {}", number(low, 2), number(high, 2)) : measured(value, {low, high});
 }
 
 std::string percent(Share const& share) { return in_units(100, share); }
@@ -48,18 +51,18 @@ constexpr CellColumn cell_columns[] = {
      [](ComparedCell const& c, Explanation const& e) {
        return e.subject == Subject::drift ? percent(c.drift_left) : std::string("–");
      }},
-    {"", true,
-     [](ComparedCell const& c, Explanation const& e) {
-       return e.subject == Subject::drift ? fate(c.drift_left) : std::string();
-     }},
     {"τ²/τ₀², %", false,
      [](ComparedCell const& c, Explanation const& e) {
        return has_slopes(e) ? percent(c.slopes_left) : std::string("–");
      }},
-    {"σ/σ₀", false, [](ComparedCell const& c, Explanation const&) { return factor(c.diffusion_left); }},
     {"RMS/RMS₀", false, [](ComparedCell const& c, Explanation const&) { return factor(c.size_left); }},
-    {"failed", false,
-     [](ComparedCell const& c, Explanation const&) { return c.failed > 0 ? std::to_string(c.failed) : std::string(); }},
+    {"σ/σ₀", false, [](ComparedCell const& c, Explanation const&) { return factor(c.diffusion_left); }},
+    {"", true,
+     [](ComparedCell const& c, Explanation const& e) {
+       return e.subject == Subject::nothing ? std::string() : fate(left_of(c, e.subject));
+     }},
+    {"lost", false,
+     [](ComparedCell const& c, Explanation const&) { return c.lost > 0 ? std::to_string(c.lost) : std::string(); }},
 };
 
 std::string p_word(double p) { return p < 1e-300 ? "< 1e-300" : number(p, 2); }
@@ -75,7 +78,7 @@ constexpr EffectColumn effect_columns[] = {
     {"on β", false,
      [](FactorialEffect const& f, Explanation const&) { return measured(f.drift.per_step, f.drift.interval); }},
     {"p", false, [](FactorialEffect const& f, Explanation const&) { return p_word(f.drift.p); }},
-    {"|…|/|β₀|", false,
+    {"share of β₀", false,
      [](FactorialEffect const& f, Explanation const& e) {
        return e.subject == Subject::drift ? number(f.drift.share, 2) : std::string("–");
      }},
@@ -112,10 +115,11 @@ GrowthTable table_of(std::vector<Row> const& rows, Columns const& columns, Expla
 
 std::string nominal_line(Explanation const& e) {
   auto const& n = e.nominal;
-  return fmt::format("{} members, {} steps; β₀ = {} per {} ({}), σ₀ = {}, F = {}: {}", e.members, n.cell.steps,
-                     measured(n.drift.per_step, n.drift.interval), n.time_unit, probability(n.drift.p),
-                     measured(n.diffusion.per_sqrt_step, n.diffusion.interval), number(n.persistence.F, 2),
-                     to_string(n.verdict));
+  std::string const failed = n.failed > 0 ? fmt::format(", {} failed", n.failed) : "";
+  return fmt::format("{} members{}, {} compared; {} steps; β₀ = {} per {} ({}), σ₀ = {}, F = {}: {}", n.members, failed,
+                     e.members, n.cell.steps, measured(n.drift.per_step, n.drift.interval), n.time_unit,
+                     probability(n.drift.p), measured(n.diffusion.per_sqrt_step, n.diffusion.interval),
+                     number(n.persistence.F, 2), to_string(n.verdict));
 }
 
 std::string shared_line(std::vector<Explanation> const& all) {
@@ -124,15 +128,35 @@ std::string shared_line(std::vector<Explanation> const& all) {
   return describe(cells.front(), constant_factors(cells));
 }
 
-Words legend_of(Explanation const& e) {
-  return {
-      fmt::format(
-          "β₀, τ₀, σ₀, RMS₀: of the cell as the study has it; the others are compared with it member by member. ± is "
-          "half an interval; those of the {} cells hold together with {:g} %.",
-          e.cells.size(), 100 * e.confidence),
-      "gone, stays: less, more than half of it is left; ?: not resolved. An effect is the mean change over the cells "
-      "of the "
-      "factorial when the factor is changed, × an interaction; p after Holm's correction."};
+/// What the tables above need.
+Words legend_of(std::vector<Explanation> const& all) {
+  auto const any = [&](auto is) { return std::any_of(all.begin(), all.end(), is); };
+  Words legend;
+  if (any([](Explanation const& e) { return !e.cells.empty(); }))
+    legend.push_back(fmt::format(
+        "β₀, τ₀, σ₀, RMS₀ are of the cell as the study has it; the others are compared with it member by member. σ "
+        "is of increments about each member's line. Intervals of all cells of one table hold together with "
+        "{:g} %; ± is half of one, 'any' one without ends.",
+        100 * all.front().confidence));
+  if (any([](Explanation const& e) { return e.subject != Subject::nothing; }))
+    legend.emplace_back(
+        "gone, falls: less than half of it is left; stays, shrinks, grows, turns (its sign): more than half; ?: not "
+        "resolved.");
+  if (any([](Explanation const& e) { return !e.effects.empty(); }))
+    legend.push_back(fmt::format(
+        "An effect is the mean change over the factorial's cells when the factor is changed, × an interaction; ± is "
+        "half a {:g} % interval of its own, p after Holm's correction.",
+        100 * all.front().confidence));
+  return legend;
+}
+
+/// What no cell was run for, once.
+Words not_run(std::vector<Explanation> const& all) {
+  Words reasons;
+  for (auto const& e : all)
+    for (auto const& reason : e.not_run)
+      if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end()) reasons.push_back(reason);
+  return reasons;
 }
 
 std::string block(Explanation const& e, std::vector<Explanation> const& all) {
@@ -166,7 +190,8 @@ std::string explain_text(std::vector<Explanation> const& all) {
   std::string text = one_line(shared_line(all)) + '\n';
   for (auto const& e : all) text += block(e, all);
   text += '\n';
-  for (auto const& sentence : legend_of(all.front())) text += sentence + '\n';
+  for (auto const& reason : not_run(all)) text += fmt::format("Not run: {}.\n", one_line(reason));
+  for (auto const& sentence : legend_of(all)) text += sentence + '\n';
   return text;
 }
 
@@ -175,7 +200,8 @@ std::string explain_markdown(std::vector<Explanation> const& all) {
   std::string text = markdown_text(shared_line(all)) + '\n';
   for (auto const& e : all) text += markdown_block(e, all);
   text += '\n';
-  for (auto const& sentence : legend_of(all.front())) text += "- " + sentence + '\n';
+  for (auto const& reason : not_run(all)) text += fmt::format("- Not run: {}.\n", markdown_text(reason));
+  for (auto const& sentence : legend_of(all)) text += "- " + sentence + '\n';
   return text;
 }
 

@@ -19,7 +19,7 @@ struct ComparedCell {
   CellLabels cell;
   int bits = 0;                      ///< of its significands
   std::vector<std::string> changed;  ///< names of the factors (factors.hpp) in which it differs from the nominal cell
-  std::int64_t failed = 0;           ///< members that it lost
+  std::int64_t lost = 0;             ///< members of the nominal cell that failed here
   Drift drift;                       ///< β there
   double p = 1;                      ///< of β there being the nominal β: paired t
   Share drift_left;                  ///< β/β₀
@@ -28,8 +28,8 @@ struct ComparedCell {
   Share size_left;                   ///< RMS at the end over the nominal one
 };
 
-/// A main effect or an interaction of a 2ᵏ factorial: half the sum of ± over cells, 2/2ᵏ Σ ±, so that a main effect is the
-/// mean change when the factor is changed.
+/// A main effect or an interaction of a 2ᵏ factorial, 2/2ᵏ Σ ± over its cells: a main effect is the mean change when the
+/// factor is changed.
 struct FactorialEffect {
   std::vector<std::string> factors;  ///< in words, one for a main effect: "exact constants", "stochastic rounding"
   Drift drift;                       ///< on β; share: of |β₀|
@@ -45,17 +45,20 @@ enum class Subject { drift, slopes, size, nothing };
 /// Where it comes from.
 enum class Cause {
   none_seen,               ///< there is nothing to explain
-  truncation,              ///< the method itself: it is the same in higher precision
+  truncation,              ///< the method itself: most of it is there in higher precision
   rounding_mode,           ///< a directed rounding
-  constants,               ///< rounded constants of the method
-  repeated_rounding,       ///< rounding to nearest makes errors that are alike in every step
+  constants,               ///< rounded constants of the method, by themselves
+  repeated_rounding,       ///< rounding to nearest makes errors that are alike in every step, by themselves
   constants_or_rounding,   ///< it takes both of these: either remedy suffices
   constants_and_rounding,  ///< each of these makes one of its own
+  needs_constants,         ///< exact constants suffice; whether unbiased rounding would, too, is not known
+  needs_rounding,          ///< the other way round
   coefficients,
   functions,
   summation,
   contraction,
-  unnamed,  ///< it persists in all of these
+  unnamed,    ///< round-off, and there in all of these
+  round_off,  ///< gone in higher precision; more is not known
   not_resolved
 };
 
@@ -72,6 +75,7 @@ struct Explanation {
   std::vector<ComparedCell> cells;
   std::vector<FactorialEffect> effects;  ///< none where the factorial is not complete
   std::vector<std::string> left_out;     ///< cells and members that are not compared, a sentence each
+  std::vector<std::string> not_run;      ///< cells of the design that do not exist, a reason each
   Subject subject = Subject::nothing;
   Cause cause = Cause::none_seen;
   std::string sentence;  ///< the cause with the numbers that show it

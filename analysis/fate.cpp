@@ -10,7 +10,8 @@
 namespace brouwer {
 namespace {
 
-constexpr double half = 0.5;      ///< more of it is there, less is gone
+constexpr double half = 0.5;  ///< more of it is there, less is gone
+constexpr int most_decimals = 3;
 constexpr double little = 0.005;  ///< so little is called nothing, and no difference, however surely it is some
 
 bool holds(Interval const& i, double x) { return i.low <= x && x <= i.high; }
@@ -34,7 +35,7 @@ constexpr Way ways[] = {
     {"falls", "falls to", true, is_gone},
     {"stays", "persists", false, [](Interval const& i) { return is_there(i) && (holds(i, 1) || is_within(i, 1)); }},
     {"turns", "turns to", true, [](Interval const& i) { return is_there(i) && i.high < 0; }},
-    {"falls", "falls to", true, [](Interval const& i) { return is_there(i) && i.high < 1; }},
+    {"shrinks", "shrinks to", true, [](Interval const& i) { return is_there(i) && i.high < 1; }},
     {"grows", "grows to", true, is_there},
     {"?", "may be gone or not", false, [](Interval const&) { return true; }},
 };
@@ -46,8 +47,9 @@ Way const& way_of(Share const& left) {
 /// Decimals of a percentage whose interval is so wide: two digits of the width.
 int decimals(Interval const& i) {
   double const width = 100 * (i.high - i.low);
-  if (!(width > 0) || !std::isfinite(width)) return 0;
-  return std::clamp(static_cast<int>(std::floor(1 - std::log10(width))), 0, 3);
+  if (width == 0) return most_decimals;
+  if (!std::isfinite(width)) return 0;
+  return std::clamp(static_cast<int>(std::floor(1 - std::log10(width))), 0, most_decimals);
 }
 
 std::string hundredfold(double share, int digits) {
@@ -66,6 +68,8 @@ Fate fate_of(Share const& left) {
 }
 
 std::string percent_range(Interval const& interval) {
+  if (is_within(interval, 0) && decimals(interval) == most_decimals) return "0 %";
+  if (is_within(interval, 1) && decimals(interval) == most_decimals) return "100 %";
   int const digits = decimals(interval);
   return fmt::format("{} … {} %", hundredfold(interval.low, digits), hundredfold(interval.high, digits));
 }

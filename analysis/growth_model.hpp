@@ -36,7 +36,9 @@ namespace brouwer {
 /// intervals of β, τ, σ, ν together in one law: 94.4, 96.1, 93.1, 96.2 % for 8 members, 94.8, 96.6, 95.4, 95.4 % for
 /// 256 (±0.7, ±1.0); of τ without noise 94.9 % for 8 members, and 98 % where τ = 0.
 ///
-/// p_course: of M|r̄|²/d ~ (J−1)F(J−1, (M−1)(J−1)) against the rest of the members' spread, exact for given ρ: a mean
+/// p_course: of M|r̄|²/d ~ (J−1)F(J−1, (M−1)(J−1)) against the rest of the members' spread, exact for given ρ where
+/// members' increments are independent; else both degrees × ε (GrowthStatistics::sphericity; G. E. P. Box, Ann. Math.
+/// Stat. 25 (1954) 484), so that a phase, whose increments have one shape, is not called bent. A mean
 /// that leaves the straight line further than independent members' means do is shared by them. p_end: of the variance
 /// at the end over what the law says it is, χ²(M−1)/(M−1), two-sided. A law that either contradicts is not used.
 ///

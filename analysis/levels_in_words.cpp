@@ -11,7 +11,8 @@ namespace {
 
 std::string rounding(CellLabels const& cell) {
   if (cell.rounding == "stochastic") return "stochastic rounding";
-  return "rounding " + std::string(cell.rounding == "nearest" ? "to nearest" : cell.rounding);
+  if (cell.rounding == "nearest") return "rounding to nearest";
+  return "rounding " + (cell.rounding == "toward-zero" ? "toward zero" : cell.rounding);
 }
 
 /// The factors of the arithmetic, in the order in which they are told.

@@ -1,9 +1,11 @@
 #include "analysis/member_statistics.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/bridge.hpp"
+#include "analysis/shared_course.hpp"
 #include "analysis/verdict.hpp"
 
 namespace brouwer {
@@ -44,15 +46,17 @@ MemberStatistics member_statistics(Ensemble const& ensemble, Eigen::VectorXd con
   double const walk_part = weights.dot(walk_covariance(ensemble.times) * weights);
   double const noise_part = squared(scale * e.noise.size) * weights.squaredNorm();
   double const fitted = squared(scale * e.diffusion.per_sqrt_step) * walk_part + noise_part;
+  double const unbiased = static_cast<double>(members) / std::max(1.0, static_cast<double>(members - 1));
   Eigen::ArrayXd const none(members);
   MemberStatistics s{none, none, none, none};
+  if (members == 0) return s;
+  auto const apart = without_mean(ensemble);  // what members share is no walk of theirs
   for (Eigen::Index i = 0; i < members; ++i) {
-    Eigen::RowVectorXd const error = scale * ensemble.errors.row(i);
-    double const last = error[error.size() - 1];
+    Eigen::RowVectorXd const error = scale * ensemble.errors.row(i), own = scale * apart.errors.row(i);
     s.slope[i] = error.dot(weights);
-    s.walk[i] = squared_bridge(error, times, last / end) / degrees;
+    s.walk[i] = unbiased * squared_bridge(own, times, own[own.size() - 1] / end) / degrees;
     s.disturbance[i] = noise_in_force(e) ? fitted : s.walk[i] * walk_part;
-    s.square[i] = squared(last);
+    s.square[i] = squared(error[error.size() - 1]);
   }
   return s;
 }

@@ -11,7 +11,7 @@ namespace brouwer {
 struct MemberStatistics {
   Eigen::ArrayXd slope;        ///< sᵢ = Σⱼ wⱼ eᵢ(tⱼ)
   Eigen::ArrayXd disturbance;  ///< what walk and noise contribute to the variance of sᵢ: it is τ² + their mean
-  Eigen::ArrayXd walk;  ///< σ̂ᵢ² of its own increments about the line to its end, unbiased; NaN for one sample time
+  Eigen::ArrayXd walk;  ///< σ̂ᵢ² of the increments of eᵢ − ē about their line, unbiased; NaN for one sample time
   Eigen::ArrayXd square;  ///< eᵢ(t_J)²
 
   Eigen::Index members() const { return slope.size(); }

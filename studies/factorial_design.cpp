@@ -39,8 +39,12 @@ Words others(Words levels, std::string const& nominal) {
 /// What is nominal in a study, and which factors are changed around it.
 class AroundNominal {
  public:
-  AroundNominal(StudyFile const& file, Catalogue const& catalogue, Words const& factors)
-      : study_(file.study), catalogue_(catalogue), factors_(factors.empty() ? design_factors() : factors) {}
+  /// @param methods  of the study: those that have the nominal sum
+  AroundNominal(Study study, Catalogue const& catalogue, Words const& factors, Words const& methods, bool compensation)
+      : study_(std::move(study)), catalogue_(catalogue), factors_(factors.empty() ? design_factors() : factors) {
+    study_.methods = methods;
+    study_.compensation = {compensation};
+  }
 
   bool asks_for(std::string const& factor) const { return contains(factors_, factor); }
   std::string const& rounding() const { return study_.rounding.front(); }
@@ -48,7 +52,8 @@ class AroundNominal {
 
   /// The first level of every factor.
   Overrides nominal() const {
-    Overrides pinned = {levels("integrate.arithmetic", {arithmetic()}),
+    Overrides pinned = {levels("integrate.methods", study_.methods),
+                        levels("integrate.arithmetic", {arithmetic()}),
                         levels("integrate.special_functions", {study_.special_functions.front()}),
                         levels("integrate.compensation", {flag_word(study_.compensation.front())}),
                         levels("integrate.rounding", {rounding()}),
@@ -103,24 +108,29 @@ class AroundNominal {
 
   Overrides lower_precision() const {
     auto const* const lower = next_arithmetic(false);
-    return lower ? Overrides{levels("integrate.arithmetic", {lower->name})} : Overrides{};
+    return lower ? in(*lower) : Overrides{};
   }
 
   Overrides higher_precision() const {
     auto const* const higher = next_arithmetic(true);
     if (!higher) return {};
-    Overrides changed = {levels("integrate.arithmetic", {higher->name})};
-    auto const& reference = study_.reference;
-    if (reference.kind != Reference::Kind::same_method ||
-        catalogue_.arithmetic(reference.arithmetic).bits > higher->bits)
-      return changed;
-    Words quantities;
-    for (auto const& name : study_.quantities)
-      if (!catalogue_.quantity(study_.system, name).needs_reference()) quantities.push_back(name);
-    if (quantities.empty()) return {};
+    Overrides changed = in(*higher);
+    if (!outgrows_reference()) return changed;
+    if (quantities(false).empty()) return {};
     changed.push_back({"observe.reference", "\"none\"", "the design's observe.reference"});
-    changed.push_back(levels("observe.quantities", quantities));
+    changed.push_back(levels("observe.quantities", quantities(false)));
     return changed;
+  }
+
+  /// What is not observed in higher precision, and why.
+  Words unobserved() const {
+    auto const* const higher = next_arithmetic(true);
+    if (!higher || !outgrows_reference()) return {};
+    Words reasons;
+    for (auto const& name : quantities(true))
+      reasons.push_back(
+          fmt::format("{} in {}: its reference is in {}", name, higher->name, study_.reference.arithmetic));
+    return reasons;
   }
 
  private:
@@ -142,6 +152,30 @@ class AroundNominal {
     return nominal;
   }
 
+  /// Another arithmetic, with what exists in all of them: what else rounding, constants and functions do there is of the size of
+  /// its own round-off.
+  Overrides in(ArithmeticEntry const& other) const {
+    Overrides changed = {levels("integrate.arithmetic", {other.name}), levels("integrate.rounding", {"nearest"}),
+                         levels("integrate.constants", {"rounded"}), levels("integrate.contraction", {"false"})};
+    if (!variant_exists(study_.special_functions.front(), other.name))
+      changed.push_back(levels("integrate.special_functions", {"own"}));
+    return changed;
+  }
+
+  bool outgrows_reference() const {
+    auto const& reference = study_.reference;
+    auto const* const higher = next_arithmetic(true);
+    return reference.kind == Reference::Kind::same_method && higher &&
+           catalogue_.arithmetic(reference.arithmetic).bits <= higher->bits;
+  }
+
+  Words quantities(bool with_reference) const {
+    Words names;
+    for (auto const& name : study_.quantities)
+      if (catalogue_.quantity(study_.system, name).needs_reference() == with_reference) names.push_back(name);
+    return names;
+  }
+
   /// Of so many more bits that truncation is told from round-off, or of fewer.
   ArithmeticEntry const* next_arithmetic(bool higher) const {
     static Words const chain = {"float", "double", "double-double", "mpfr-256", "mpfr-512"};
@@ -155,7 +189,7 @@ class AroundNominal {
     return next;
   }
 
-  Study const& study_;
+  Study study_;
   Catalogue const& catalogue_;
   Words factors_;
 };
@@ -180,21 +214,27 @@ Overrides joined(Overrides all, Overrides const& more) {
   return all;
 }
 
-/// The study has been read without a complaint: what is refused now is a level that does not exist there.
-std::optional<StudyFile> read_if_it_exists(std::filesystem::path const& file, Catalogue const& catalogue,
-                                           Overrides const& overrides, Words& left_out) {
+/// "rounding: a step with rounding up exists in float and double only": what is refused of a study that was read without a
+/// complaint is a level that does not exist there.
+std::string reason_of(char const* part, std::string const& complaint) {
+  std::string const words = "nothing is left to run: ";
+  auto const at = complaint.find(words);
+  return fmt::format("{}: {}", part, at == std::string::npos ? complaint : complaint.substr(at + words.size()));
+}
+
+std::optional<StudyFile> read_part(char const* part, std::filesystem::path const& file, Catalogue const& catalogue,
+                                   Overrides const& overrides, Words& left_out) {
   try {
     return read_study(file, catalogue, overrides);
   } catch (InputError const& error) {
-    left_out.emplace_back(error.what());
+    left_out.push_back(reason_of(part, error.what()));
     return std::nullopt;
   }
 }
 
-bool is_nominal(CellLabels const& cell, StudyFile const& base) {
-  Study const& study = base.study;
+bool is_nominal(CellLabels const& cell, Study const& study, bool compensation) {
   return cell.rounding == study.rounding.front() && cell.constants == study.constants.front() &&
-         cell.compensation == study.compensation.front();
+         cell.compensation == compensation;
 }
 
 void check(Words const& factors) {
@@ -202,6 +242,48 @@ void check(Words const& factors) {
     if (!contains(design_factors(), factor))
       throw InputError(
           fmt::format("--factors: there is no factor '{}'{}", factor, suggestion(factor, design_factors())));
+}
+
+/// The methods of a study whose nominal sum is this: a method without an increment has plain sums only.
+Words methods_with(bool compensation, Study const& study, Catalogue const& catalogue) {
+  bool const wanted = study.compensation.front();
+  Words methods;
+  for (auto const& method : study.methods)
+    if ((wanted && catalogue.method(study.system, method).compensable) == compensation) methods.push_back(method);
+  return methods;
+}
+
+/// Adds the parts of the methods that have the same nominal sum.
+void add_parts(FactorialDesign& design, StudyFile const& base, Catalogue const& catalogue, Overrides const& overrides,
+               Words const& factors, bool compensation) {
+  auto const methods = methods_with(compensation, base.study, catalogue);
+  if (methods.empty()) return;
+  AroundNominal const around(base.study, catalogue, factors, methods, compensation);
+  std::string const suffix = compensation || !base.study.compensation.front() ? "" : "-plain";
+  auto const pinned = joined(overrides, around.nominal());
+  design.parts.push_back(
+      {"operations" + suffix, read_study(base.path, catalogue, joined(pinned, around.operations()))});
+  for (auto const& cell : design.parts.back().study.plan.cells)
+    if (is_nominal(cell, base.study, compensation)) design.nominal.push_back(cell);
+  for (auto const& part : further_parts) {
+    auto const changes = (around.*part.changes)();
+    if (!around.asks_for(part.factor) || changes.empty()) continue;
+    if (auto study = read_part(part.name, base.path, catalogue, joined(pinned, changes), design.left_out))
+      design.parts.push_back({part.name + suffix, std::move(*study)});
+  }
+  if (around.asks_for("precision"))
+    for (auto const& reason : around.unobserved())
+      if (!contains(design.left_out, reason)) design.left_out.push_back(reason);
+}
+
+/// Is every quantity a number of something?
+void check_that_errors_are_observed(StudyFile const& base, Catalogue const& catalogue) {
+  auto const is_count = [&](std::string const& name) {
+    return catalogue.quantity(base.study.system, name).kind == Quantity::Kind::iterations;
+  };
+  if (std::all_of(base.study.quantities.begin(), base.study.quantities.end(), is_count))
+    throw InputError(fmt::format("{}: {} has no law of growth to explain; expected an error among observe.quantities",
+                                 base.path.string(), fmt::join(base.study.quantities, ", ")));
 }
 
 }  // namespace
@@ -220,18 +302,9 @@ FactorialDesign design_around(std::filesystem::path const& file, Catalogue const
                               std::vector<Override> const& overrides, std::vector<std::string> const& factors) {
   check(factors);
   StudyFile const base = read_study(file, catalogue, overrides);
-  AroundNominal const around(base, catalogue, factors);
-  auto const pinned = joined(overrides, around.nominal());
+  check_that_errors_are_observed(base, catalogue);
   FactorialDesign design;
-  design.parts.push_back({"operations", read_study(file, catalogue, joined(pinned, around.operations()))});
-  for (auto const& part : further_parts) {
-    auto const changes = (around.*part.changes)();
-    if (!around.asks_for(part.factor) || changes.empty()) continue;
-    if (auto study = read_if_it_exists(file, catalogue, joined(pinned, changes), design.left_out))
-      design.parts.push_back({part.name, std::move(*study)});
-  }
-  for (auto const& cell : design.parts.front().study.plan.cells)
-    if (is_nominal(cell, base)) design.nominal.push_back(cell);
+  for (bool const compensation : {true, false}) add_parts(design, base, catalogue, overrides, factors, compensation);
   return design;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <brouwer/error.hpp>
 #include <brouwer/spelling.hpp>
+#include <cerrno>
+#include <system_error>
 
 #include "analysis/causes_figure.hpp"
 #include "analysis/explain_table.hpp"
@@ -102,7 +104,7 @@ class DesignResults {
       Design design{{}, [&](std::size_t c) { return load(with_it[c], quantity); }};
       for (auto const& place : with_it)
         design.cells.push_back({labels(place), catalogue_.arithmetic(labels(place).arithmetic).bits});
-      if (!load(with_it.front(), quantity).count) found.push_back(explain(design, levels));
+      if (auto explanation = explain(design, levels)) found.push_back(std::move(*explanation));
     }
     return found;
   }
@@ -155,9 +157,12 @@ int explain(ExplainCommand const& command, Catalogue const& catalogue) {
   DesignResults const results(design, folder, catalogue);
   Explanations all;
   for (auto const& nominal : design.nominal)
-    for (auto& explanation : results.explained(nominal, command.settings.levels)) all.push_back(std::move(explanation));
+    for (auto& explanation : results.explained(nominal, command.settings.levels)) {
+      explanation.not_run = reasons_of(design);
+      all.push_back(std::move(explanation));
+    }
   fmt::print("{}", format.render(all));
-  std::fflush(stdout);
+  if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), "standard output");
   if (!command.no_figures) say(draw_causes(all, folder / "figures", "svg"), folder / "figures");
   return done;
 }
