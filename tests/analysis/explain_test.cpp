@@ -81,8 +81,11 @@ struct Simulation {
 
   Explanation explained(Levels const& levels = {}) const {
     Design design{{}, [this](std::size_t c) { return ensembles[c]; }};
-    for (auto const& e : ensembles) design.cells.push_back({e.cell, e.cell.arithmetic == "double" ? 53 : 106});
-    return explain(design, levels);
+    for (auto const& e : ensembles)
+      design.cells.push_back({e.cell, e.cell.arithmetic == "double"          ? 53
+                                      : e.cell.arithmetic == "double-double" ? 106
+                                                                             : 24});
+    return *explain(design, levels);
   }
 
   std::vector<Ensemble> ensembles;
@@ -134,15 +137,30 @@ TEST_P(PlantedCause, IsNamed) {
 INSTANTIATE_TEST_SUITE_P(All, PlantedCause, testing::ValuesIn(planted),
                          [](auto const& instance) { return std::string(instance.param.name); });
 
-TEST(WeakDrift, HasNoNameOrTheRightOne) {
-  int named = 0, falsely = 0;
-  for (unsigned long seed = 0; seed < 200; ++seed) {
-    auto const cause = Simulation({.constants = 0.35 * strong}, seed).explained().cause;
-    named += cause != Cause::not_resolved && cause != Cause::none_seen;
-    falsely += cause != Cause::not_resolved && cause != Cause::none_seen && cause != Cause::constants;
-  }
-  EXPECT_LE(falsely, 10);
-  EXPECT_GE(named, 20) << "the test sees something";
+/// What may be said where a remedy is not resolved.
+bool is_consistent(Cause said, Cause truth) {
+  bool const open = said == Cause::not_resolved || said == Cause::none_seen || said == Cause::round_off;
+  bool const either = truth == Cause::constants_or_rounding;
+  return open || said == truth || (said == Cause::needs_constants && (either || truth == Cause::constants)) ||
+         (said == Cause::needs_rounding && (either || truth == Cause::repeated_rounding));
+}
+
+/// Where a drift is hardly seen, no cause is named, the right one, or one that leaves open what is open.
+TEST(WeakDrift, HasNoFalseName) {
+  for (auto const& p : {planted[1], planted[2], planted[3]})
+    for (double const strength : {0.3, 0.5}) {
+      int falsely = 0, named = 0;
+      int const trials = 100;
+      for (unsigned long seed = 0; seed < trials; ++seed) {
+        Origin origin = p.origin;
+        for (auto* part : {&origin.constants, &origin.rounding, &origin.both}) *part *= strength;
+        auto const cause = Simulation(origin, seed).explained().cause;
+        falsely += !is_consistent(cause, p.cause);
+        named += cause == p.cause;
+      }
+      EXPECT_LE(falsely, 5 + 9) << p.name << " " << strength;  // 5 % and 3.9 standard deviations
+      EXPECT_GE(named, strength == 0.5 ? 30 : 0) << p.name << ": the test sees something";
+    }
 }
 
 TEST(Explanation, SaysWhatShowsTheCause) {
@@ -211,7 +229,78 @@ TEST(Explanation, PairsTheMembersThatAllCellsHave) {
               ElementsAre(HasSubstr("44 of 64 members failed"), HasSubstr("1 of 64 members, which failed")));
   EXPECT_EQ(e.cells.size(), 10U);
   EXPECT_EQ(e.cause, Cause::constants);
-  EXPECT_TRUE(e.effects.empty() || e.effects.size() == 3U) << "a factorial that misses a cell is none";
+  EXPECT_EQ(e.effects.size(), 3U) << "of the factorial that misses a cell that of two factors is left";
+}
+
+/// Only what was asked is claimed: a design of few cells.
+struct Asked {
+  char const* name;
+  std::vector<std::size_t> cells;  ///< of the design, after the nominal one
+  Cause cause;
+  char const* words;
+};
+
+TEST(Explanation, ClaimsNoMoreThanWasAsked) {
+  // cells: 1 sum, 2 stochastic, 4 exact, 6 both, 10 split, 11 double-double
+  Asked const all[] = {
+      {"exact alone", {4}, Cause::needs_constants, "was not asked: there is no cell with stochastic rounding"},
+      {"stochastic alone", {2}, Cause::not_resolved, "where it comes from is not resolved"},
+      {"precision alone", {11}, Cause::round_off, "The drift is round-off: it vanishes"},
+      {"sum alone", {1}, Cause::not_resolved, "Most of it stays with compensated sums"},
+      {"exact, stochastic", {2, 4}, Cause::constants, "comes from the rounded constants"},
+  };
+  auto const whole = Simulation({.constants = strong}, 7);
+  for (auto const& asked : all) {
+    auto part = whole;
+    part.ensembles = {whole.ensembles[0]};
+    for (auto const c : asked.cells) part.ensembles.push_back(whole.ensembles[c]);
+    auto const e = part.explained();
+    EXPECT_EQ(e.cause, asked.cause) << asked.name << ": " << e.sentence;
+    EXPECT_THAT(e.sentence, HasSubstr(asked.words));
+    EXPECT_THAT(e.sentence, Not(HasSubstr("it .")));
+  }
+}
+
+TEST(Explanation, SaysThatTwoCausesDoNotAddUp) {
+  auto const e = Simulation({.constants = 2 * strong, .rounding = 1.8 * strong, .both = -2.8 * strong}, 3).explained();
+  EXPECT_EQ(e.cause, Cause::constants_and_rounding);
+  EXPECT_THAT(e.sentence, HasSubstr("They do not add up: the sum of the two would be 3"));
+}
+
+TEST(Explanation, OfATruncationThatRoundingAddsToIsForTheMostPart) {
+  auto const e = Simulation({.truncation = 0.7 * strong, .constants = 0.3 * strong}, 3).explained();
+  EXPECT_EQ(e.cause, Cause::truncation);
+  EXPECT_THAT(e.sentence, HasSubstr("a truncation error, for the most part: it shrinks to"));
+}
+
+/// Errors that are no walk are not called driftless.
+TEST(Explanation, OfBoundedErrorsAsksForNoCause) {
+  Simulation simulation({}, 5);
+  Normal normal(6);
+  for (auto& ensemble : simulation.ensembles)
+    for (auto& error : ensemble.errors.reshaped())
+      error = (ensemble.cell.arithmetic == "double" ? 1e-14 : 1e-30) * normal();
+  auto const e = simulation.explained();
+  EXPECT_EQ(e.subject, Subject::nothing);
+  EXPECT_THAT(e.sentence, AllOf(HasSubstr("There is no cause to ask for."), Not(HasSubstr("no drift to explain"))));
+}
+
+/// A narrower arithmetic does not cost the others their members, and one in which all are the same says nothing.
+TEST(Explanation, LeavesOutNarrowArithmeticsThatLoseMembers) {
+  Simulation simulation({.constants = strong}, 7);
+  auto narrow = simulation.ensembles[0];
+  narrow.cell.arithmetic = "float";
+  narrow.errors = ErrorMatrix(narrow.errors.topRows(50));
+  narrow.failed = 14;
+  auto same = simulation.ensembles[0];
+  same.cell.arithmetic = "half";
+  for (auto row : same.errors.rowwise()) row = same.errors.row(0);
+  simulation.ensembles.push_back(narrow);
+  simulation.ensembles.push_back(same);
+  auto const e = simulation.explained();
+  EXPECT_EQ(e.members, members);
+  EXPECT_THAT(e.left_out,
+              ElementsAre(HasSubstr("float: 14 of 64 members failed"), HasSubstr("half: its members do not differ")));
 }
 
 TEST(Explanation, NeedsEqualTimes) {
@@ -244,13 +333,13 @@ TEST(Fates, AreProvenByTheirIntervals) {
       {{0.01, {-0.03, 0.04}}, Fate::gone, "vanishes (−3 … 4 %)"},
       {{0.12, {0.09, 0.15}}, Fate::gone, "falls to 12 % (9 … 15 %)"},
       {{1.01, {0.97, 1.04}}, Fate::there, "persists (97 … 104 %)"},
-      {{0.7, {0.62, 0.78}}, Fate::there, "falls to 70 % (62 … 78 %)"},
+      {{0.7, {0.62, 0.78}}, Fate::there, "shrinks to 70 % (62 … 78 %)"},
       {{1.44, {1.38, 1.51}}, Fate::there, "grows to 144 % (138 … 151 %)"},
       {{-0.98, {-1.03, -0.93}}, Fate::there, "turns to −98 % (−103 … −93 %)"},
       {{0.4, {-0.2, 1.3}}, Fate::unknown, "may be gone or not (−20 … 130 %)"},
       {{0.5, {0.45, 0.55}}, Fate::unknown, "may be gone or not (45 … 55 %)"},
-      {{1e-16, {0.9e-16, 1.1e-16}}, Fate::gone, "vanishes (0.000 … 0.000 %)"},
-      {{1.0000001, {1.00000009, 1.00000011}}, Fate::there, "persists (100.000 … 100.000 %)"},
+      {{1e-16, {0.9e-16, 1.1e-16}}, Fate::gone, "vanishes (0 %)"},
+      {{1.0000001, {1.00000009, 1.00000011}}, Fate::there, "persists (100 %)"},
       {{0.3, {-INFINITY, INFINITY}}, Fate::unknown, "may be gone or not (−∞ … ∞ %)"},
       {{}, Fate::unknown, "may be gone or not (– … – %)"},
   };

@@ -35,7 +35,7 @@ TEST_F(Explain, FindsABiasOfRoundedCoefficients) {
         "samples = { count = 16, spacing = \"linear\" }\n");
   auto const said = brouwer("explain toy.toml --factors constants");
   EXPECT_EQ(said.status, 0) << said.text;
-  EXPECT_THAT(said.text, AllOf(HasSubstr("The drift comes from the rounded constants: it vanishes ("),
+  EXPECT_THAT(said.text, AllOf(HasSubstr("The drift needs the rounded constants: it vanishes ("),
                                HasSubstr("with exact constants")));
 }
 
@@ -51,7 +51,19 @@ TEST_F(Explain, FindsATruncationError) {
   study("henon_heiles", "methods = \"kutta-4\"\nstep = 0.2\nsteps = 2000", 16);
   auto const said = brouwer("explain toy.toml --no-figures");
   EXPECT_EQ(said.status, 0) << said.text;
-  EXPECT_THAT(said.text, HasSubstr("a truncation error and not round-off"));
+  EXPECT_THAT(said.text, HasSubstr("a truncation error: it persists"));
+}
+
+/// Around a cell that no higher precision has.
+TEST_F(Explain, FindsATruncationErrorOfExactConstants) {
+  study("henon_heiles", "methods = \"kutta-4\"\nconstants = \"exact\"\nstep = 0.2\nsteps = 1000", 16);
+  auto const said = brouwer("explain toy.toml --factors precision --no-figures");
+  EXPECT_THAT(said.text, HasSubstr("a truncation error: it persists"));
+}
+
+TEST_F(Explain, ReportsOutputThatIsLost) {
+  study("henon_heiles", "methods = \"kutta-4\"\nstep = 0.2\nsteps = 200", 16);
+  EXPECT_EQ(brouwer("explain toy.toml --factors precision --no-figures > /dev/full").status, 3);
 }
 
 TEST_F(Explain, FindsNothingWhereThereIsNothing) {

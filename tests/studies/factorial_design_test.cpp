@@ -100,11 +100,46 @@ TEST(FactorialDesign, HasOnlyWhatExists) {
   EXPECT_THAT(levels(design, "higher-precision", &CellLabels::arithmetic), ElementsAre("mpfr-256"));
 }
 
+/// What exists in no other arithmetic is standard there: a truncation error is asked for around any cell.
+TEST(FactorialDesign, HasHigherPrecisionForEveryNominalCell) {
+  for (auto const* operations : {"rounding = \"up\"", "rounding = \"stochastic\"", "constants = \"exact\"",
+                                 "contraction = true", "special_functions = \"gsl\""}) {
+    auto const design =
+        File(study("rigid_body", "methods = \"elliptic-naive\"\nstep = 0.1\n" + std::string(operations)))
+            .design({"precision"});
+    auto const cells = cells_by_part(design);
+    EXPECT_EQ(cells.count("higher-precision"), 1U) << operations;
+    EXPECT_THAT(levels(design, "higher-precision", &CellLabels::rounding), ElementsAre("nearest"));
+    EXPECT_EQ(cells.count("lower-precision"), 1U) << operations;
+  }
+}
+
+/// A method without an increment is explained as it is, though the study's first level is a compensated sum.
+TEST(FactorialDesign, KeepsMethodsWithoutCompensation) {
+  auto const design = File(study("rigid_body",
+                                 "methods = [\"elliptic-naive\", \"dmv-2\"]\nstep = 0.1\n"
+                                 "compensation = [true, false]"))
+                          .design();
+  ASSERT_EQ(design.nominal.size(), 2U);
+  EXPECT_EQ(design.nominal[0].method, "dmv-2");
+  EXPECT_TRUE(design.nominal[0].compensation);
+  EXPECT_EQ(design.nominal[1].method, "elliptic-naive");
+  EXPECT_FALSE(design.nominal[1].compensation);
+  EXPECT_EQ(cells_by_part(design).at("operations-plain"), 4U);
+}
+
+TEST(FactorialDesign, RefusesCounts) {
+  EXPECT_THROW(
+      File(study("henon_heiles", "methods = \"gauss-8\"\nstep = 0.1", "quantities = [\"iterations\"]\n")).design(),
+      InputError);
+}
+
 /// A reference in double-double cannot judge double-double: there, what needs it is not observed.
 TEST(FactorialDesign, ObservesInHigherPrecisionWhatNeedsNoReference) {
   auto const observe =
       "quantities = [\"energy\", \"state\"]\nreference = { arithmetic = \"double-double\", members = 8 }\n";
   auto const design = File(study("henon_heiles", "methods = \"kutta-4\"\nstep = 0.1", observe)).design({"precision"});
+  EXPECT_THAT(design.left_out, ElementsAre("state in double-double: its reference is in double-double"));
   ASSERT_EQ(design.parts.back().name, "higher-precision");
   EXPECT_THAT(design.parts.back().study.study.quantities, ElementsAre("energy"));
   EXPECT_EQ(cells_by_part(design).at("higher-precision"), 1U);
