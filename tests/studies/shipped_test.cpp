@@ -105,6 +105,12 @@ TEST(EllipticOperations, ShowWhatTheirStudyExpects) {
   EXPECT_GT(t("stochastic", "exact"), -4);
 }
 
+/// A bias of 7e-20 a step, in a relative error of the energy.
+TEST(FehlbergCoefficients, DriftWhereTheyAreRounded) {
+  StudyRun const study(studies / "fehlberg-coefficients.toml");
+  EXPECT_THAT(study.outcomes(), Each(Passed()));
+}
+
 TEST(Bodies, DriftAsTheirStudyExpects) {
   StudyRun const study(studies / "bodies.toml", {"ensemble.members=128"});
   EXPECT_THAT(study.outcomes(), Each(Passed()));
