@@ -8,8 +8,8 @@
 #include <brouwer/spelling.hpp>
 #include <optional>
 
+#include "analysis/causes/explain.hpp"
 #include "analysis/escape.hpp"
-#include "analysis/explain.hpp"
 
 namespace brouwer {
 namespace {

@@ -28,7 +28,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/compare_baseline.hpp"
+#include "analysis/baseline/compare_baseline.hpp"
 #include "studies/commands/findings.hpp"
 #include "studies/commands/recording.hpp"
 #include "studies/read.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/expectation.hpp"
+#include "analysis/expectations/expectation.hpp"
 #include "studies/reading/overrides.hpp"
 
 namespace brouwer {

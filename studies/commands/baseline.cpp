@@ -1,11 +1,11 @@
-#include "analysis/baseline.hpp"
+#include "analysis/baseline/baseline.hpp"
 
 #include <fmt/format.h>
 
 #include <brouwer/error.hpp>
 #include <brouwer/store/whole_file.hpp>
 
-#include "analysis/baseline_table.hpp"
+#include "analysis/baseline/baseline_table.hpp"
 #include "studies/commands/commands.hpp"
 #include "studies/commands/recording.hpp"
 #include "studies/commands/run_study.hpp"

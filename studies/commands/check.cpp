@@ -4,9 +4,9 @@
 #include <brouwer/store/whole_file.hpp>
 #include <numeric>
 
-#include "analysis/compare_baseline.hpp"
-#include "analysis/junit.hpp"
-#include "analysis/study_change.hpp"
+#include "analysis/baseline/compare_baseline.hpp"
+#include "analysis/baseline/study_change.hpp"
+#include "analysis/expectations/junit.hpp"
 #include "studies/commands/commands.hpp"
 #include "studies/commands/findings.hpp"
 #include "studies/commands/recording.hpp"

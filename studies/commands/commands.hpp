@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/ensembles_file.hpp"
 #include "analysis/estimates.hpp"
+#include "analysis/files/ensembles_file.hpp"
 #include "studies/reading/overrides.hpp"
 
 namespace brouwer {

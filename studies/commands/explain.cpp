@@ -1,4 +1,4 @@
-#include "analysis/explain.hpp"
+#include "analysis/causes/explain.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <cerrno>
 #include <system_error>
 
-#include "analysis/causes_figure.hpp"
-#include "analysis/explain_table.hpp"
+#include "analysis/causes/causes_figure.hpp"
+#include "analysis/causes/explain_table.hpp"
 #include "analysis/factors.hpp"
 #include "studies/commands/calibration.hpp"
 #include "studies/commands/commands.hpp"

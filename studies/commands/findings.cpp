@@ -6,13 +6,13 @@
 #include <brouwer/error.hpp>
 #include <map>
 
-#include "analysis/correct.hpp"
+#include "analysis/expectations/correct.hpp"
+#include "analysis/expectations/guards.hpp"
 #include "analysis/factors.hpp"
-#include "analysis/failures.hpp"
-#include "analysis/guards.hpp"
-#include "analysis/increments_objection.hpp"
-#include "analysis/inference.hpp"
-#include "analysis/sweep.hpp"
+#include "analysis/growth/inference.hpp"
+#include "analysis/growth/sweep.hpp"
+#include "analysis/increments/increments_objection.hpp"
+#include "analysis/verdict/failures.hpp"
 #include "studies/commands/commands.hpp"
 #include "studies/reading/tests_section.hpp"
 

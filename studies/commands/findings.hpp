@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/cloud.hpp"
-#include "analysis/expectations.hpp"
-#include "analysis/plots.hpp"
+#include "analysis/expectations/expectations.hpp"
+#include "analysis/figures/cloud.hpp"
+#include "analysis/figures/plots.hpp"
 
 namespace brouwer {
 

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include "analysis/correct.hpp"
-#include "analysis/ensembles_file.hpp"
-#include "analysis/guards.hpp"
-#include "analysis/inference.hpp"
-#include "analysis/plots.hpp"
-#include "analysis/tables.hpp"
+#include "analysis/expectations/correct.hpp"
+#include "analysis/expectations/guards.hpp"
+#include "analysis/figures/plots.hpp"
+#include "analysis/files/ensembles_file.hpp"
+#include "analysis/growth/inference.hpp"
+#include "analysis/pages/tables.hpp"
 #include "studies/commands/commands.hpp"
 #include "studies/commands/findings.hpp"
 

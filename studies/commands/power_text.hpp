@@ -2,8 +2,8 @@
 #include <optional>
 #include <string>
 
-#include "analysis/local_errors.hpp"
-#include "analysis/power.hpp"
+#include "analysis/probe/local_errors.hpp"
+#include "analysis/probe/power.hpp"
 
 namespace brouwer {
 

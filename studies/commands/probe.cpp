@@ -6,7 +6,7 @@
 
 #include "analysis/factors.hpp"
 #include "analysis/numbers.hpp"
-#include "analysis/probe_table.hpp"
+#include "analysis/probe/probe_table.hpp"
 #include "studies/commands/calibration.hpp"
 #include "studies/commands/commands.hpp"
 #include "studies/commands/findings.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analysis/local_errors.hpp"
+#include "analysis/probe/local_errors.hpp"
 
 namespace brouwer {
 namespace {

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-#include "analysis/baseline.hpp"
+#include "analysis/baseline/baseline.hpp"
 #include "studies/commands/findings.hpp"
 
 namespace brouwer {

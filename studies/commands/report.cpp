@@ -1,11 +1,11 @@
-#include "analysis/report.hpp"
+#include "analysis/pages/report.hpp"
 
 #include <fmt/format.h>
 
 #include <brouwer/error.hpp>
 #include <brouwer/store/whole_file.hpp>
 
-#include "analysis/page.hpp"
+#include "analysis/pages/page.hpp"
 #include "studies/commands/commands.hpp"
 #include "studies/commands/findings.hpp"
 #include "studies/commands/report_markdown.hpp"

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "analysis/escape.hpp"
-#include "analysis/main_figures.hpp"
-#include "analysis/page.hpp"
-#include "analysis/report.hpp"
+#include "analysis/figures/main_figures.hpp"
+#include "analysis/pages/page.hpp"
+#include "analysis/pages/report.hpp"
 #include "studies/commands/findings.hpp"
 #include "studies/read.hpp"
 

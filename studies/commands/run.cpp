@@ -3,7 +3,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "analysis/tables.hpp"
+#include "analysis/pages/tables.hpp"
 #include "studies/commands/commands.hpp"
 #include "studies/commands/findings.hpp"
 #include "studies/commands/run_study.hpp"

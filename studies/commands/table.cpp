@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "analysis/tables.hpp"
+#include "analysis/pages/tables.hpp"
 #include "studies/commands/commands.hpp"
 #include "studies/commands/findings.hpp"
 

@@ -5,7 +5,7 @@
 #include <brouwer/ensemble/catalogue.hpp>
 #include <brouwer/ensemble/operations.hpp>
 
-#include "analysis/expectations.hpp"
+#include "analysis/expectations/expectations.hpp"
 #include "studies/reading/limits.hpp"
 #include "studies/reading/names.hpp"
 

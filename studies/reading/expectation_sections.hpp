@@ -2,7 +2,7 @@
 #include <brouwer/ensemble/catalogue.hpp>
 #include <vector>
 
-#include "analysis/expectation.hpp"
+#include "analysis/expectations/expectation.hpp"
 #include "studies/reading/section.hpp"
 
 namespace brouwer {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/expectation.hpp"
+#include "analysis/expectations/expectation.hpp"
 
 namespace brouwer {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/decision.hpp"
+#include "analysis/expectations/decision.hpp"
 
 namespace brouwer::calibration {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/inference.hpp"
-#include "analysis/sweep.hpp"
+#include "analysis/growth/inference.hpp"
+#include "analysis/growth/sweep.hpp"
 #include "tests/analysis/simulated.hpp"
 #include "tests/calibration/design.hpp"
 

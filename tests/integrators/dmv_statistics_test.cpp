@@ -42,7 +42,7 @@ struct Verdict {
   double p_of_drift, p_of_slopes, beta;
 };
 
-/// t and F of the model e(t) = (β + b) t + σ W(t) (analysis/inference.hpp), as chances.
+/// t and F of the model e(t) = (β + b) t + σ W(t) (analysis/growth/inference.hpp), as chances.
 Verdict judged(std::vector<std::vector<double>> const& errors) {
   double const n = members, delta = steps_a_sample, end = delta * samples;
   double beta = 0, spread = 0, diffusion = 0;

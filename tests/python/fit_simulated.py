@@ -50,7 +50,7 @@ def judge(law, rows):
         expect(law.name, "verdict drift, at level 0.001", [r["verdict"] == "drift" for r in rows], 0.001)
     if law.name == "walk":
         expect(law.name, "slopes are seen at level 0.05", [r["persistence"]["p"] < 0.05 for r in rows], 0.05)
-        # 24 members: the bootstrap's interval covers 0.94 (analysis/power_law.hpp)
+        # 24 members: the bootstrap's interval covers 0.94 (analysis/growth/power_law.hpp)
         expect(law.name, "interval of q holds 1/2", [holds(r["growth"]["ci"], 0.5) for r in rows], 0.92, 0.95)
         expect(law.name, "verdict random walk", [r["verdict"] == "random walk" for r in rows], 0.9, 0.999)
     if law.name == "drift":  # β√(M t_J)/σ = 1.96: half of them are seen at level 0.05

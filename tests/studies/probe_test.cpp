@@ -8,8 +8,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "analysis/inference.hpp"
-#include "analysis/probe_table.hpp"
+#include "analysis/growth/inference.hpp"
+#include "analysis/probe/probe_table.hpp"
 #include "studies/read.hpp"
 #include "tests/scratch.hpp"
 
