@@ -39,7 +39,10 @@ double end(Profile const& profile, double bound, double inside, double factor, d
 /// Square roots of the ends. @param start  where the estimate is 0: a variance that is small beside what is seen
 Interval interval(Profile const& profile, double bound, double estimate, double start) {
   double inside = estimate > 0 ? estimate : start;
-  while (estimate == 0 && profile(inside) > bound) inside /= stride;
+  for (int k = 0; estimate == 0 && profile(inside) > bound; ++k) {
+    if (k == most_strides) return {0, 0};
+    inside /= stride;
+  }
   double const low = profile(0) <= bound ? 0 : end(profile, bound, inside, 1 / stride, 0);
   return {std::sqrt(low), std::sqrt(end(profile, bound, inside, stride, INFINITY))};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <tuple>
 
 namespace brouwer {
 namespace {
@@ -10,12 +11,22 @@ namespace {
 constexpr int bits = 26;           // of the place of a minimum: half a double's, as many as its value can tell
 constexpr double grid_step = 0.5;  // of log ρ: three or four points a factor of five
 constexpr double reach = 5;        // of log ρ about a known minimum
+constexpr double profile_step = 1;
 constexpr double scale_reach = 4;  // of log σ² about its best value
 
-/// The smallest value of a function of one variable with one minimum between the ends.
+/// Place and value of the minimum of a function that has one between the ends.
 template <class Function>
 std::pair<double, double> least(Function const& function, double low, double high) {
   return boost::math::tools::brent_find_minima(function, low, high, bits);
+}
+
+/// … that may have several: the likelihood has two where noise and a walk each explain a part.
+template <class Function>
+std::pair<double, double> least_of_all(Function const& function, double low, double high, double step) {
+  double place = low, smallest = function(low);
+  for (double x = low + step; x < high; x += step)
+    if (double const found = function(x); found < smallest) std::tie(place, smallest) = std::pair(x, found);
+  return least(function, place - step, place + step);
 }
 
 }  // namespace
@@ -42,10 +53,7 @@ GrowthFit GrowthLikelihood::best(bool slopes) const {
   auto const value = [&](double log_rho) { return at(std::exp(log_rho), slopes).deviance; };
   double const low = std::log(1e-6 / statistics_.largest_eigenvalue());
   double const high = std::log(1e6 / statistics_.smallest_eigenvalue());
-  double place = low, smallest = value(low);
-  for (double x = low + grid_step; x < high; x += grid_step)
-    if (double const found = value(x); found < smallest) std::tie(place, smallest) = std::pair(x, found);
-  return at(std::exp(least(value, place - grid_step, place + grid_step).first), slopes);
+  return at(std::exp(least_of_all(value, low, high, grid_step).first), slopes);
 }
 
 /// With the scale held, v alone is free.
@@ -60,7 +68,7 @@ double GrowthLikelihood::with_sigma2(double value, GrowthFit const& fit, bool sl
   if (value == 0) return at(INFINITY, slopes).deviance;
   double const centre = std::log(fit.nu2() / value);
   auto const of_rho = [&](double log_rho) { return held(std::exp(log_rho), value, slopes); };
-  return least(of_rho, centre - reach, centre + reach).second;
+  return least_of_all(of_rho, centre - reach, centre + reach, profile_step).second;
 }
 
 double GrowthLikelihood::with_nu2(double value, GrowthFit const& fit, bool slopes) const {
@@ -68,7 +76,7 @@ double GrowthLikelihood::with_nu2(double value, GrowthFit const& fit, bool slope
   if (value == 0) return at(0, slopes).deviance;
   double const centre = std::log(value / fit.scale);
   auto const of_rho = [&](double log_rho) { return held(std::exp(log_rho), value / std::exp(log_rho), slopes); };
-  return least(of_rho, centre - reach, centre + reach).second;
+  return least_of_all(of_rho, centre - reach, centre + reach, profile_step).second;
 }
 
 double GrowthLikelihood::with_tau2(double value, GrowthFit const& fit) const {
@@ -83,7 +91,8 @@ double GrowthLikelihood::with_tau2(double value, GrowthFit const& fit) const {
   };
   if (fit.rho == 0 || std::isinf(fit.rho)) return at_rho(fit.rho);
   double const centre = std::log(fit.rho);
-  return least([&](double log_rho) { return at_rho(std::exp(log_rho)); }, centre - reach, centre + reach).second;
+  auto const of_rho = [&](double log_rho) { return at_rho(std::exp(log_rho)); };
+  return least_of_all(of_rho, centre - reach, centre + reach, profile_step).second;
 }
 
 }  // namespace brouwer

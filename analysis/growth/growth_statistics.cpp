@@ -73,7 +73,8 @@ Reduced GrowthStatistics::at(double rho) const {
 
 double GrowthStatistics::sphericity(double rho) const {
   double const n = members_ - 1, k = times() - 1;
-  if (n < 2) return 1;
+  if (n < 2) return 1 / k;  // nothing tells
+
   Eigen::VectorXd const scale = metric(rho).rsqrt().matrix();
   Eigen::MatrixXd const A = scale.asDiagonal() * scatter_ * scale.asDiagonal();
   Eigen::VectorXd const slope = scale.cwiseProduct(w_.matrix()).normalized(), image = A * slope;

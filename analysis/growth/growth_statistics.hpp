@@ -50,7 +50,8 @@ class GrowthStatistics {
 
   /// ε = (tr Σ)²/((J−1) tr Σ²), Σ the covariance of what is left of a member beside its slope, in the metric 1/d: 1 where it
   /// is as the law says, 1/(J−1) where it is one shape. Of the sample's traces the bias is taken out, exactly for normal
-  /// errors [B. Lecoutre, J. Educ. Stat. 16 (1991) 371]; at most 1, and 1 for two members.
+  /// errors [B. Lecoutre, J. Educ. Stat. 16 (1991) 371]; at most 1, and 1/(J−1) for two members, which
+  /// tell nothing of it.
   double sphericity(double rho) const;
 
  private:

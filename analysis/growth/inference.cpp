@@ -123,7 +123,7 @@ Eigen::Index last_of(Transient const& transient, Ensemble const& ensemble) {
   return std::find(times.begin(), times.end(), transient.until) - times.begin();
 }
 
-bool shares_a_course(Estimates const& e) { return e.model && (e.transient || e.model->p_course < e.levels.test); }
+bool mean_is_bent(Estimates const& e) { return e.model && (e.transient || e.model->p_course < e.levels.test); }
 
 /// β of what follows the transient, if there is one, with an error that allows for what all members share.
 void use_course(Estimates& e, CourseOfMean const& found, Units const& units) {
@@ -174,7 +174,7 @@ Estimates parameters_of(Ensemble const& ensemble, Levels const& levels) {
   e.transient = transient_of(ensemble, units, levels);
   e.model = growth_model(ensemble, units, levels, e.tails, e.persistence.p);
   use_model(e);
-  return shares_a_course(e) ? told_apart(e, ensemble, units) : e;
+  return mean_is_bent(e) ? told_apart(e, ensemble, units) : e;
 }
 
 /// The law of growth of an ensemble, without a verdict.

@@ -14,6 +14,7 @@ namespace brouwer {
 namespace {
 
 std::string exponent(Estimates const& e) {
+  if (std::isnan(e.growth.exponent)) return "too few samples are not zero to fit a law of growth";
   return fmt::format("RMS ∝ t^{} ({} … {})", decimal(e.growth.exponent), decimal(e.growth.interval.low),
                      decimal(e.growth.interval.high));
 }
@@ -62,8 +63,6 @@ std::string visible(Estimates const& e) {
                      per(e), levels);
 }
 
-bool shares_a_course(Estimates const& e) { return e.course && !e.transient; }
-
 /// What the mean does beside a drift.
 std::string course_of(Estimates const& e) {
   return fmt::format("the mean of all members is no straight line ({}): it keeps within ±{} of one",
@@ -75,6 +74,11 @@ std::string as_an_oscillation(Estimates const& e) {
   return course_of(e) + ", as an oscillation does that the step does not resolve (a truncation error)";
 }
 
+/// Beside a law that is seen all the same.
+std::string small_course(Estimates const& e) {
+  return shares_a_course(e) ? "; " + course_of(e) + ", for which the interval of β allows" : "";
+}
+
 std::string drift_sentence(Estimates const& e) {
   if (std::isinf(e.drift.t))
     return fmt::format(
@@ -82,8 +86,7 @@ std::string drift_sentence(Estimates const& e) {
         "members should differ, check what perturbs them",
         e.members, brief(e.drift.per_step), per(e));
   std::string const beside = e.samples > 1 ? "; beside it the error spreads by " + diffusion(e) : "";
-  std::string const course = shares_a_course(e) ? "; " + course_of(e) + ", for which the interval allows" : "";
-  return "the error grows on average by " + drift(e) + beside + course;
+  return "the error grows on average by " + drift(e) + beside + small_course(e);
 }
 
 std::string slopes_test(Estimates const& e) {
@@ -93,32 +96,35 @@ std::string slopes_test(Estimates const& e) {
 
 std::string persistent_sentence(Estimates const& e) {
   return fmt::format(
-      "each member keeps a drift of its own, of standard deviation {}{} ({}), beside a spread of {}; {}; {}",
-      brief(e.persistence.per_step), per(e), slopes_test(e), diffusion(e), exponent(e), no_drift(e));
+      "each member keeps a drift of its own, of standard deviation {}{} ({}), beside a spread of {}; {}; {}{}",
+      brief(e.persistence.per_step), per(e), slopes_test(e), diffusion(e), exponent(e), no_drift(e), small_course(e));
 }
 
 std::string bounded_sentence(Estimates const& e) {
   return fmt::format(
       "the error does not grow: {}, RMS {} at the end; it is spread less than a random walk of its "
-      "increments would be (F = {}, {}); its mean stays{}",
+      "increments would be (F = {}, {}){}",
       exponent(e), brief(e.rms_final), brief(e.persistence.F), probability(e.persistence.p_low),
-      shares_a_course(e) ? "; " + as_an_oscillation(e) : "");
+      shares_a_course(e) ? "; " + as_an_oscillation(e)
+      : e.transient      ? ""
+                         : "; its mean stays");
 }
 
 std::string superlinear_sentence(Estimates const& e) {
   return fmt::format(
-      "the error grows faster than a drift, {} (3/2: a phase driven by a random walk; 2: by a drift); {}", exponent(e),
-      drift_seen_or_not(e));
+      "the error grows faster than a drift, {} (3/2: a phase driven by a random walk; 2: by a drift); {}{}",
+      exponent(e), drift_seen_or_not(e), small_course(e));
 }
 
 std::string walk_sentence(Estimates const& e) {
-  std::string const caveat = e.persistence.p_low < e.levels.test && !noise_in_force(e)
+  std::string const caveat = e.persistence.p_low < e.levels.test && !noise_in_force(e) && !shares_a_course(e)
                                  ? fmt::format(
                                        "; F = {} is below 1: a part of the error is bounded, and the spread per "
                                        "step is smaller than said",
                                        brief(e.persistence.F))
                                  : "";
-  return fmt::format("the error spreads by {}, {}; {}{}", diffusion(e), exponent(e), no_drift(e), caveat);
+  return fmt::format("the error spreads by {}, {}; {}{}{}", diffusion(e), exponent(e), no_drift(e), caveat,
+                     small_course(e));
 }
 
 /// How many members would bring the interval of the exponent to ±0.1: its width goes with 1/√M. Of a handful of members

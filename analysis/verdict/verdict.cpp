@@ -58,15 +58,23 @@ bool does_not_grow(Estimates const& e) {
   return exponent_counts(e) && far_below_a_walk(e) && e.growth.interval.high < bounded_exponent;
 }
 
-bool bounded(Estimates const& e) { return does_not_grow(e) && has_settled(e); }
+/// The law of the members' own, beside noise or what all share, has a walk that is a considerable part at the end.
+bool walks_all_the_same(Estimates const& e) {
+  double const walk = e.diffusion.interval.low * std::sqrt(e.times.back());
+  return (noise_in_force(e) || shares_a_course(e)) && e.model->law().terms.walk && walk > considerable * e.rms_final;
+}
+
+bool bounded(Estimates const& e) { return does_not_grow(e) && has_settled(e) && !walks_all_the_same(e); }
 
 bool slopes_persist(Estimates const& e) { return e.persistence.p < e.levels.test; }
 
-/// What all members share and no transient ends: their differences tell of σ, τ and ν, but no law of growth can be read
-/// from errors of which it is the largest part.
-bool shares_a_course(Estimates const& e) { return e.course && !e.transient; }
+/// The members' differences tell of σ, τ and ν, but no law of growth can be read from errors of which what all share is a
+/// large part. (A small part is a sixteenth of the mean square, and β's interval allows for it.)
+bool course_prevails(Estimates const& e) {
+  return shares_a_course(e) && !(e.course->reach < considerable * e.rms_final);
+}
 
-bool drifts_beside_a_course(Estimates const& e) { return shares_a_course(e) && drift_is_seen(e); }
+bool drifts_beside_a_course(Estimates const& e) { return course_prevails(e) && drift_is_seen(e); }
 
 bool drifts_beside_noise(Estimates const& e) { return noise_in_force(e) && drift_is_seen(e); }
 
@@ -84,7 +92,8 @@ bool walks(Estimates const& e) {
   bool const holds_half = low <= walk_exponent && walk_exponent <= high;
   bool const near_half = low >= walk_exponent - walk_tolerance && high <= walk_exponent + walk_tolerance;
   bool const tight = high - low <= 2 * widest_exponent_half;
-  return exponent_counts(e) && tight && (holds_half || near_half) && !far_below_a_walk(e);
+  bool const spreads = !far_below_a_walk(e) || shares_a_course(e);  // F is of the errors with what all share
+  return exponent_counts(e) && tight && (holds_half || near_half) && spreads;
 }
 
 struct Rule {
@@ -99,7 +108,7 @@ constexpr std::array<Rule, 14> rules = {{
     {Verdict::faster_than_drift, superlinear},
     {Verdict::bounded, bounded},
     {Verdict::drift, drifts_beside_a_course},
-    {Verdict::not_resolved, shares_a_course},
+    {Verdict::not_resolved, course_prevails},
     {Verdict::drift, drifts_beside_noise},
     {Verdict::persistent_slopes, slopes_beside_noise},
     {Verdict::random_walk, walks_beside_noise},
@@ -132,6 +141,8 @@ std::string to_string(Verdict verdict) {
   }
   return "not resolved";
 }
+
+bool shares_a_course(Estimates const& e) { return e.course && !e.transient; }
 
 bool noise_in_force(Estimates const& e) {
   if (!exponent_counts(e) || e.samples < fewest_times || !e.model || !e.model->law().terms.noise) return false;

@@ -19,6 +19,8 @@ constexpr double bounded_F = 0.5;              ///< F below it, significantly: m
 constexpr double walk_exponent = 0.5;          ///< Brouwer's law
 constexpr double walk_tolerance = 0.1;         ///< an interval inside 0.5 ± 0.1 is called a walk even beside 0.5
 constexpr double widest_exponent_half = 0.25;  ///< a wider interval says nothing about the exponent
+constexpr double considerable = 0.25;  ///< of the final RMS: a part that is smaller, 1/16 of the square, decides
+                                       ///< nothing
 
 /// The verdict on the law of growth: the first line of this table that applies. a = levels.test, q = growth exponent.
 ///
@@ -28,10 +30,12 @@ constexpr double widest_exponent_half = 0.25;  ///< a wider interval says nothin
 ///     superlinear         M ≥ 8 and q's interval lies above 1.2 (also when the drift is significant: both are said)
 ///     bounded             M ≥ 8, F < 0.5 with P(F' ≤ F) < a, q's interval lies below 0.25, and neither the mean
 ///                         nor the RMS has changed at the level a since the middle of the run in log t (so an offset
-///                         is no drift, and a walk that just emerges from bounded noise is not called bounded)
-///     drift               the mean is no straight line (Estimates::course, without a transient), and the t test that
-///                         allows for that sees one
-///     not resolved        it is none, and the t test sees no drift: an oscillation that all members share, say
+///                         is no drift, and a walk that just emerges from bounded noise is not called bounded); and not
+///                         where a law beside noise, or of members about a mean that is bent, has a walk that
+///                         surely makes a quarter of the final RMS
+///     drift               the mean is no straight line (Estimates::course, without a transient) but leaves it by a
+///                         quarter of the final RMS or more, and the t test that allows for that sees one
+///     not resolved        it does, and the t test sees no drift: an oscillation that all members share, say
 ///     drift, persistent   M ≥ 8, J ≥ 8, the full model has noise, and neither its p_end nor, where the mean is
 ///                         to be a straight line, its p_course is below a: the law
 ///       slopes, or        beside bounded noise, whatever F and q are. A drift if its p is below a, else what the
@@ -41,12 +45,15 @@ constexpr double widest_exponent_half = 0.25;  ///< a wider interval says nothin
 ///     drift               p of t is below a, after the transient as well if there is one
 ///     persistent slopes   p of F is below a
 ///     random walk         M ≥ 8, q's interval is at most ±0.25 wide and holds 0.5 or lies inside 0.5 ± 0.1, and F is
-///                         not far below 1 (as for bounded)
+///                         not far below 1 (as for bounded) but for what all members share
 ///     not resolved        otherwise
 ///
 /// A pure function of the estimates. The sentence names the verdict, the numbers that carry it with their intervals,
 /// the drift's share of the final RMS, and the smallest drift that this ensemble could have seen.
 Judgement judge(Estimates const& e);
+
+/// The mean of the members has a course of its own that is no beginning.
+bool shares_a_course(Estimates const& e);
 
 /// β, τ, σ are of the full model with noise: of M ≥ 8 members at J ≥ 8 times it was chosen, and neither the course of the
 /// mean (unless that was taken away first) nor the spread at the end contradicts it.

@@ -52,6 +52,15 @@ TEST_F(Program, TeachesItself) {
   EXPECT_THAT(brouwer("--version").text, StartsWith("brouwer "));
 }
 
+/// A walk, noise and a wave that all share, of which the likelihood has two minima in the ratio of noise to walk: the
+/// search for an interval once began in the wrong one, and did not end.
+TEST_F(Program, FitsWhereTheLikelihoodHasTwoMinima) {
+  auto const said =
+      shell("timeout 60 " + std::string(BROUWER_PROGRAM) + " fit " BROUWER_SOURCE "/tests/studies/two_minima.csv");
+  EXPECT_EQ(said.status, 0) << said.text;
+  EXPECT_THAT(said.text, HasSubstr("noise ν"));
+}
+
 struct Wrong {
   char const* arguments;
   char const* expected;

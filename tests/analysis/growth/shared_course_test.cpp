@@ -145,11 +145,34 @@ TEST(SharedCourse, LeavesNoiseOfTheMembersToBeTold) {
   EXPECT_TRUE(holds(e.diffusion.interval, 2e-16));
 }
 
+/// F and the exponent are of errors with the wave; the members' own differences walk.
+TEST(SharedCourse, DoesNotMakeAWalkBounded) {
+  Normal normal(41);
+  int bounded = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    auto const walk = simulated({.diffusion = 1e-16}, 8, log_spaced(16, 1e4), normal);
+    double const size = 1e-16 * std::sqrt(walk.times.back());
+    bounded += estimate(with_wave(walk, size, 10 + 900.0 * trial / 200), {}).verdict == Verdict::bounded;
+  }
+  EXPECT_EQ(bounded, 0);
+}
+
 TEST(SharedCourse, OfABoundedErrorIsSaid) {
   auto const e = estimate(with_wave(simulated({.noise = 1e-16}, 64, even(64), 5ul), 1e-14, 37.3), {});
   EXPECT_LT(e.persistence.F, 0.01);
   EXPECT_TRUE(e.verdict == Verdict::bounded || e.verdict == Verdict::not_resolved);
   EXPECT_THAT(e.sentence, HasSubstr("a truncation error"));
+}
+
+/// A mean that leaves its line by little beside the spread is told, and leaves a walk a walk.
+TEST(SharedCourse, HidesTheLawOnlyWhereItPrevails) {
+  for (double const size : {0.1, 1.0}) {
+    auto walk = simulated({.diffusion = 1e-16}, 256, even(64), 12ul);
+    auto const e = estimate(with_wave(walk, size * 1e-16 * std::sqrt(walk.times.back()), 37.3), {});
+    ASSERT_TRUE(e.course) << size;
+    EXPECT_EQ(e.verdict, size < 0.25 ? Verdict::random_walk : Verdict::not_resolved) << e.sentence;
+    EXPECT_NE(e.sentence.find("the mean of all members is no straight line"), std::string::npos);
+  }
 }
 
 }  // namespace
