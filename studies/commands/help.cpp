@@ -58,7 +58,7 @@ Examples:
 with the same starts in a factorial over exact constants, stochastic rounding and compensated sums, and with one other level
 each of rounding, contraction, coefficients, special functions and precision, as far as they exist. Members are compared in
 pairs; a cause is named where more than half of the drift is proven to stay, or to go, in the cells that tell it from others.
-What other rules of rounding cost: 25 to 50 times a number's own operations; --plan says how long it takes.
+Other rules of rounding cost 20 to 60 times a number's own operations; --plan says how long it takes.
 
 The design's results are kept in results/NAME-explain, or results/NAME-xxxxxxxx-explain where options have changed it. Ctrl-C
 keeps every finished unit; the same command resumes.
