@@ -66,7 +66,10 @@ bool walks_all_the_same(Estimates const& e) {
 
 bool bounded(Estimates const& e) { return does_not_grow(e) && has_settled(e) && !walks_all_the_same(e); }
 
-bool slopes_persist(Estimates const& e) { return e.persistence.p < e.levels.test; }
+/// Of errors that are not 0 at two samples at least.
+bool slopes_persist(Estimates const& e) {
+  return e.persistence.p < e.levels.test && (e.samples < 2 || !std::isnan(e.growth.exponent));
+}
 
 /// The members' differences tell of σ, τ and ν, but no law of growth can be read from errors of which what all share is a
 /// large part. (A small part is a sixteenth of the mean square, and β's interval allows for it.)

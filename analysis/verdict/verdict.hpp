@@ -43,7 +43,7 @@ constexpr double considerable = 0.25;  ///< of the final RMS: a part that is sma
 ///     not resolved        as bounded, but the mean or the RMS has changed: an oscillation that all members share (a
 ///                         truncation error, say) has a significant slope between any two samples, and is no drift
 ///     drift               p of t is below a, after the transient as well if there is one
-///     persistent slopes   p of F is below a
+///     persistent slopes   p of F is below a, and there are two samples whose errors are not all 0
 ///     random walk         M ≥ 8, q's interval is at most ±0.25 wide and holds 0.5 or lies inside 0.5 ± 0.1, and F is
 ///                         not far below 1 (as for bounded) but for what all members share
 ///     not resolved        otherwise

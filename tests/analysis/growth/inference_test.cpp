@@ -195,5 +195,15 @@ TEST(Inference, RefusesAnEnsembleWithoutMembers) {
   EXPECT_THROW(estimate(ensemble, {}), InputError);
 }
 
+/// Of one error that is not 0 no law of growth is told.
+TEST(Inference, OfOneErrorThatIsNotZeroResolvesNothing) {
+  auto ensemble = simulated({.diffusion = 1}, 8, log_spaced(16, 1000), 3);
+  ensemble.errors.setZero();
+  ensemble.errors(5, 15) = 1e-16;
+  auto const e = estimate(ensemble, {});
+  EXPECT_EQ(e.verdict, Verdict::not_resolved);
+  EXPECT_EQ(e.sentence.find("nan"), std::string::npos) << e.sentence;
+}
+
 }  // namespace
 }  // namespace brouwer
