@@ -156,10 +156,10 @@ std::string script_of(Picture const& picture, FigureFormat format) {
                       plot_range(100 * range.low, 100 * range.high), picture.lines.size());
   for (int const at : {0, 100})
     text += fmt::format("set arrow from {0}, graph 0 to {0}, graph 1 nohead lw 1.2 dt 2 lc rgb '#444444'\n", at);
-  return text +
-         fmt::format(
-             "plot {} using ($6 > 0 ? $2 : NaN):1:3:4:5 with xerrorbars pt 7 ps 0.7 lw 1.8 lc rgb variable\nunset output\n",
-             gnuplot_string(picture.stem + ".dat"));
+  return text + fmt::format(
+                    "plot {} using ($6 > 0 ? $2 : NaN):1:3:4:5 with xerrorbars pt 7 ps 0.7 lw 1.8 lc rgb "
+                    "variable\nunset output\n",
+                    gnuplot_string(picture.stem + ".dat"));
 }
 
 }  // namespace
