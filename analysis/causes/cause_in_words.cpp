@@ -8,8 +8,8 @@
 
 #include "analysis/causes/causes.hpp"
 #include "analysis/causes/evidence.hpp"
-#include "analysis/causes/fate.hpp"
 #include "analysis/causes/levels_in_words.hpp"
+#include "analysis/causes/remainder.hpp"
 #include "analysis/numbers.hpp"
 #include "analysis/verdict/phrases.hpp"
 
@@ -82,8 +82,8 @@ bool is_told(ComparedCell const& cell, Explanation const& e) {
   return cell.changed.size() == 1 && cell.bits == e.bits && !(directed && cell.changed.front() == "rounding");
 }
 
-Cells with_fate(Cells cells, Fate fate, Subject subject) {
-  std::erase_if(cells, [&](auto const* cell) { return fate_of(left_of(*cell, subject)) != fate; });
+Cells with_remainder(Cells cells, Remainder remainder, Subject subject) {
+  std::erase_if(cells, [&](auto const* cell) { return remainder_of(left_of(*cell, subject)) != remainder; });
   return cells;
 }
 
@@ -98,8 +98,9 @@ std::string others_in_words(Explanation const& e, Cells const& told) {
   Cells others;
   for (auto const& cell : e.cells)
     if (is_told(cell, e) && std::find(told.begin(), told.end(), &cell) == told.end()) others.push_back(&cell);
-  auto const gone = with_fate(others, Fate::gone, e.subject), there = with_fate(others, Fate::there, e.subject),
-             unknown = with_fate(others, Fate::unknown, e.subject);
+  auto const gone = with_remainder(others, Remainder::gone, e.subject),
+             there = with_remainder(others, Remainder::there, e.subject),
+             unknown = with_remainder(others, Remainder::unknown, e.subject);
   std::string text;
   if (!gone.empty()) text += fmt::format(" It also {}.", said(gone, e.subject));
   if (!there.empty()) text += fmt::format(" Most of it stays with {}.", names_of(there));
@@ -116,7 +117,7 @@ std::optional<double> members_needed(Explanation const& e) {
   Evidence const evidence(e, e.subject);
   double widest = 0;
   for (auto const change : telling)
-    if (auto const* const cell = evidence.cell(change); cell && evidence.fate(change) == Fate::unknown) {
+    if (auto const* const cell = evidence.cell(change); cell && evidence.remainder(change) == Remainder::unknown) {
       auto const& [low, high] = left_of(*cell, e.subject).interval;
       widest = std::max(widest, (high - low) / 2);
     }
@@ -204,10 +205,9 @@ char const* mostly(Explanation const& e, Cells const& cells) {
 
 /// … and in the remark.
 Cells told_by(Explanation const& e, Cells cells) {
-  Evidence const evidence(e, e.subject);
-  for (auto const change : telling)
-    if (e.cause == Cause::needs_constants || e.cause == Cause::needs_rounding)
-      if (auto const* const cell = evidence.cell(change)) cells.push_back(cell);
+  if (e.cause != Cause::needs_constants && e.cause != Cause::needs_rounding) return cells;
+  auto const in_remark = shown_by(e, {std::begin(telling), std::end(telling)});
+  cells.insert(cells.end(), in_remark.begin(), in_remark.end());
   return cells;
 }
 

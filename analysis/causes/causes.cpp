@@ -4,7 +4,7 @@
 
 #include "analysis/causes/cause_in_words.hpp"
 #include "analysis/causes/evidence.hpp"
-#include "analysis/causes/fate.hpp"
+#include "analysis/causes/remainder.hpp"
 
 namespace brouwer {
 namespace {
@@ -38,8 +38,8 @@ struct Rule {
   bool (*applies)(Evidence const&);
 };
 
-bool gone(Evidence const& e, Change change) { return e.fate(change) == Fate::gone; }
-bool there(Evidence const& e, Change change) { return e.fate(change) == Fate::there; }
+bool gone(Evidence const& e, Change change) { return e.remainder(change) == Remainder::gone; }
+bool there(Evidence const& e, Change change) { return e.remainder(change) == Remainder::there; }
 bool is_there_with_either(Evidence const& e) {
   return there(e, Change::constants) && there(e, Change::unbiased_rounding);
 }
@@ -76,7 +76,7 @@ bool drifts(Estimates const& e) {
 Subject subject_of(Explanation const& e) {
   if (drifts(e.nominal)) return Subject::drift;
   if (e.nominal.verdict == Verdict::persistent_slopes) return Subject::slopes;
-  bool const of_method = Evidence(e, Subject::size).fate(Change::higher_precision) == Fate::there;
+  bool const of_method = Evidence(e, Subject::size).remainder(Change::higher_precision) == Remainder::there;
   return of_method ? Subject::size : Subject::nothing;
 }
 

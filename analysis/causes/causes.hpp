@@ -6,7 +6,7 @@ namespace brouwer {
 /// Fills subject, cause and sentence of an explanation from its compared cells.
 ///
 /// The subject is the drift where one is seen, else the persistent slopes, else the size of the error where that is the
-/// method's own. Of it each cell has more than half, or less (fate.hpp); the intervals that prove it hold for all cells of
+/// method's own. Of it each cell has more than half, or less (remainder.hpp); the intervals that prove it hold for all cells of
 /// one explanation together, so at most so many of them name a cause falsely. The first line that applies:
 ///
 ///     truncation              there in higher precision

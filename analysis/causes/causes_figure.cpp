@@ -8,8 +8,8 @@
 
 #include "analysis/causes/causes.hpp"
 #include "analysis/causes/explain_table.hpp"
-#include "analysis/causes/fate.hpp"
 #include "analysis/causes/levels_in_words.hpp"
+#include "analysis/causes/remainder.hpp"
 #include "analysis/escape.hpp"
 #include "analysis/figures/figure_family.hpp"
 #include "analysis/figures/figure_sheet.hpp"
@@ -49,12 +49,12 @@ Picture picture_of(Explanation const& e, std::vector<Explanation> const& all, st
 }
 
 char const* colour_of(Share const& left) {
-  switch (fate_of(left)) {
-    case Fate::gone:
+  switch (remainder_of(left)) {
+    case Remainder::gone:
       return "0x009e73";
-    case Fate::there:
+    case Remainder::there:
       return "0xd55e00";
-    case Fate::unknown:
+    case Remainder::unknown:
       return "0x888888";
   }
   return "";

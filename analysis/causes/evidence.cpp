@@ -57,13 +57,14 @@ ComparedCell const* Evidence::cell(Change change) const {
       *std::find_if(std::begin(makings), std::end(makings), [&](auto const& m) { return m.change == change; });
   ComparedCell const* found = nullptr;
   for (auto const& cell : explanation_.cells)
-    if (making.made_by(cell, explanation_) && (!found || fate_of(left_of(cell, subject_)) == Fate::gone)) found = &cell;
+    if (making.made_by(cell, explanation_) && (!found || remainder_of(left_of(cell, subject_)) == Remainder::gone))
+      found = &cell;
   return found;
 }
 
-Fate Evidence::fate(Change change) const {
+Remainder Evidence::remainder(Change change) const {
   auto const* const found = cell(change);
-  return found ? fate_of(left_of(*found, subject_)) : Fate::unknown;
+  return found ? remainder_of(left_of(*found, subject_)) : Remainder::unknown;
 }
 
 }  // namespace brouwer

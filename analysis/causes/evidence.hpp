@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "analysis/causes/explanation.hpp"
-#include "analysis/causes/fate.hpp"
+#include "analysis/causes/remainder.hpp"
 
 namespace brouwer {
 
@@ -19,14 +19,14 @@ enum class Change {
   products
 };
 
-/// The compared cells of an explanation, asked for the fate of its subject.
+/// The compared cells of an explanation, asked for what is left of its subject.
 class Evidence {
  public:
   Evidence(Explanation const& explanation, Subject subject) : explanation_(explanation), subject_(subject) {}
 
   /// Of this change; gone where it is gone in one of the cells that make it. Unknown where there is none.
-  Fate fate(Change change) const;
-  /// The cell that carries that fate; none where no cell makes this change.
+  Remainder remainder(Change change) const;
+  /// The cell that shows it; none where no cell makes this change.
   ComparedCell const* cell(Change change) const;
 
  private:

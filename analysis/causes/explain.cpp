@@ -143,6 +143,13 @@ bool is_of_factorial(CellLabels const& nominal, CellLabels const& cell) {
   return cell.rounding == nominal.rounding || cell.rounding == other_rounding(nominal.rounding);
 }
 
+/// The cell of the factorial that has changed just these factors, or the end.
+auto cell_with(std::vector<Seen> const& cells, std::vector<std::string> const& changed) {
+  return std::find_if(cells.begin(), cells.end(), [&](Seen const& seen) {
+    return changed_factors(cells.front().cell, seen.cell) == changed && is_of_factorial(cells.front().cell, seen.cell);
+  });
+}
+
 /// The cells of the factorial over these factors, as factorial_effects wants them; none where one is missing.
 std::vector<MemberStatistics> factorial_of(std::vector<Seen> const& cells, std::vector<std::string> const& factors) {
   std::vector<MemberStatistics> found;
@@ -150,10 +157,7 @@ std::vector<MemberStatistics> factorial_of(std::vector<Seen> const& cells, std::
     std::vector<std::string> changed;
     for (std::size_t j = 0; j < factors.size(); ++j)
       if (bits >> j & 1) changed.push_back(factors[j]);
-    auto const cell = std::find_if(cells.begin(), cells.end(), [&](Seen const& seen) {
-      return changed_factors(cells.front().cell, seen.cell) == changed &&
-             is_of_factorial(cells.front().cell, seen.cell);
-    });
+    auto const cell = cell_with(cells, changed);
     if (cell == cells.end()) return {};
     found.push_back(cell->statistics);
   }
@@ -164,10 +168,7 @@ std::vector<MemberStatistics> factorial_of(std::vector<Seen> const& cells, std::
 std::vector<std::string> factors_alone(std::vector<Seen> const& cells, std::vector<std::string>& words) {
   std::vector<std::string> factors;
   for (auto const* factor : {"constants", "rounding", "sum"}) {
-    auto const alone = std::find_if(cells.begin(), cells.end(), [&](Seen const& seen) {
-      return changed_factors(cells.front().cell, seen.cell) == std::vector<std::string>{factor} &&
-             is_of_factorial(cells.front().cell, seen.cell);
-    });
+    auto const alone = cell_with(cells, {factor});
     if (alone == cells.end()) continue;
     factors.emplace_back(factor);
     words.push_back(level_in_words(factor, alone->cell));

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "analysis/causes/explain_table.hpp"
-#include "analysis/causes/fate.hpp"
+#include "analysis/causes/remainder.hpp"
 #include "analysis/factors.hpp"
 #include "analysis/json_object.hpp"
 

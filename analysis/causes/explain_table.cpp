@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "analysis/causes/causes.hpp"
-#include "analysis/causes/fate.hpp"
 #include "analysis/causes/levels_in_words.hpp"
+#include "analysis/causes/remainder.hpp"
 #include "analysis/escape.hpp"
 #include "analysis/factors.hpp"
 #include "analysis/numbers.hpp"
@@ -31,7 +31,7 @@ std::string in_units(double unit, Share const& share) {
 std::string percent(Share const& share) { return in_units(100, share); }
 std::string factor(Share const& share) { return in_units(1, share); }
 
-std::string fate(Share const& share) { return std::isnan(share.value) ? "–" : in_a_word(share); }
+std::string remainder(Share const& share) { return std::isnan(share.value) ? "–" : in_a_word(share); }
 
 bool has_slopes(Explanation const& e) {
   return e.subject == Subject::slopes || e.nominal.persistence.p < e.nominal.levels.test;
@@ -59,7 +59,7 @@ constexpr CellColumn cell_columns[] = {
     {"σ/σ₀", false, [](ComparedCell const& c, Explanation const&) { return factor(c.diffusion_left); }},
     {"", true,
      [](ComparedCell const& c, Explanation const& e) {
-       return e.subject == Subject::nothing ? std::string() : fate(left_of(c, e.subject));
+       return e.subject == Subject::nothing ? std::string() : remainder(left_of(c, e.subject));
      }},
     {"lost", false,
      [](ComparedCell const& c, Explanation const&) { return c.lost > 0 ? std::to_string(c.lost) : std::string(); }},

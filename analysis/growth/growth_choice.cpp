@@ -30,21 +30,21 @@ double end_inflation(Ensemble const& ensemble, Units const& units) {
 /// so where they are needed beside a walk; what grows otherwise is a walk. Needed they are where the signs agree, or,
 /// as noise blurs these, where walk and noise do not reach the spread at the end. Where that is so for normal errors
 /// alone, they are in the law, which nothing smaller is, and not called seen: model.p_slopes is not below the level.
-LawChoice choose_beside_noise(GrowthFits const& fits, GrowthStatistics const& statistics, Evidence const& evidence,
+LawChoice choose_beside_noise(GrowthFits const& fits, GrowthStatistics const& statistics, ChoiceGrounds const& grounds,
                               FullModel& model) {
-  double const level = evidence.levels.test;
+  double const level = grounds.levels.test;
   auto const& smaller = fits[place_of(walk_and_noise)];
-  double const p_slopes = p_between(fits, walk_and_noise, all_three, evidence.yardstick);
+  double const p_slopes = p_between(fits, walk_and_noise, all_three, grounds.yardstick);
   LawTerms terms = all_three;
   model.p_slopes = p_slopes;
-  model.p_walk = p_between(fits, noise_and_slopes, all_three, evidence.yardstick);
+  model.p_walk = p_between(fits, noise_and_slopes, all_three, grounds.yardstick);
   bool const both = model.p_walk < level;
-  if (both && end_p(statistics, smaller, evidence.end_inflation) >= level)
-    model.p_slopes = std::max(model.p_slopes, evidence.p_signs);
+  if (both && end_p(statistics, smaller, grounds.end_inflation) >= level)
+    model.p_slopes = std::max(model.p_slopes, grounds.p_signs);
   terms.slopes = model.p_slopes < level || (both && end_p(statistics, smaller) < level);
-  if (!terms.slopes) model.p_walk = p_between(fits, only_noise, walk_and_noise, evidence.yardstick);
+  if (!terms.slopes) model.p_walk = p_between(fits, only_noise, walk_and_noise, grounds.yardstick);
   terms.walk = model.p_walk < level;
-  return {terms, terms.walk && !terms.slopes && p_slopes < 1 - evidence.levels.confidence};
+  return {terms, terms.walk && !terms.slopes && p_slopes < 1 - grounds.levels.confidence};
 }
 
 }  // namespace
@@ -64,18 +64,18 @@ Yardstick yardstick(Tails const& tails, double members) {
   return {std::max({1.0, tails.dispersion, 1 + tails.kurtosis / 2}), members - 1};
 }
 
-Evidence evidence_of(Ensemble const& ensemble, Units const& units, Levels const& levels, Tails const& tails) {
+ChoiceGrounds grounds_of(Ensemble const& ensemble, Units const& units, Levels const& levels, Tails const& tails) {
   auto const measure = yardstick(tails, static_cast<double>(ensemble.errors.rows()));
   return {levels, measure, doubling_signs_p(ensemble, units),
           std::max(measure.inflation, end_inflation(ensemble, units))};
 }
 
-LawChoice choose_law(GrowthFits const& fits, GrowthStatistics const& statistics, Evidence const& evidence,
+LawChoice choose_law(GrowthFits const& fits, GrowthStatistics const& statistics, ChoiceGrounds const& grounds,
                      FullModel& model) {
-  model.p_noise = p_between(fits, {true, true, false}, all_three, evidence.yardstick);
-  if (model.p_noise < evidence.levels.test) return choose_beside_noise(fits, statistics, evidence, model);
+  model.p_noise = p_between(fits, {true, true, false}, all_three, grounds.yardstick);
+  if (model.p_noise < grounds.levels.test) return choose_beside_noise(fits, statistics, grounds, model);
   model.p_walk = 0;
-  return {{true, model.p_slopes < evidence.levels.test, false}};
+  return {{true, model.p_slopes < grounds.levels.test, false}};
 }
 
 double end_p(GrowthStatistics const& statistics, GrowthFit const& fit, double inflation) {

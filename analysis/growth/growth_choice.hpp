@@ -27,14 +27,14 @@ struct Yardstick {
 Yardstick yardstick(Tails const& tails, double members);
 
 /// What the choice goes by beside the likelihoods, which a few wild increments raise as well.
-struct Evidence {
+struct ChoiceGrounds {
   Levels levels;
   Yardstick yardstick;
   double p_signs = 1;        ///< of slopes, from the signs of increments at doubling times
   double end_inflation = 1;  ///< how much more uncertain the spread at the end is than that of normal errors
 };
 
-Evidence evidence_of(Ensemble const& ensemble, Units const& units, Levels const& levels, Tails const& tails);
+ChoiceGrounds grounds_of(Ensemble const& ensemble, Units const& units, Levels const& levels, Tails const& tails);
 
 /// The terms of the law, and whether slopes that it has not are seen at 1 − confidence, though not at the level.
 struct LawChoice {
@@ -43,7 +43,7 @@ struct LawChoice {
 };
 
 /// Sets model.p_noise, p_walk and p_slopes, which at first is that of F: it decides where there is no noise.
-LawChoice choose_law(GrowthFits const& fits, GrowthStatistics const& statistics, Evidence const& evidence,
+LawChoice choose_law(GrowthFits const& fits, GrowthStatistics const& statistics, ChoiceGrounds const& grounds,
                      FullModel& model);
 
 /// Of the variance of the errors at the end, T²Σ(sᵢ⁰ − s̄⁰)²/(M−1), against what the law says.

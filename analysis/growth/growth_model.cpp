@@ -91,14 +91,14 @@ std::optional<FullModel> growth_model(Ensemble const& ensemble, Units const& uni
   FullModel model;
   model.candidates = candidates_of(fits, units);
   model.p_slopes = slopes_p;
-  auto const evidence = evidence_of(ensemble, units, levels, tails);
-  auto const choice = choose_law(fits, statistics, evidence, model);
+  auto const grounds = grounds_of(ensemble, units, levels, tails);
+  auto const choice = choose_law(fits, statistics, grounds, model);
   model.chosen = place_of(choice.terms);
   auto const& chosen = fits[model.chosen];
   model.p_course = course_p(statistics, chosen.rho);
   model.p_end = end_p(statistics, chosen);
   test_drift(model, chosen, statistics, units, levels.confidence);
-  auto const intervals = intervals_of(likelihood, fits, choice, levels.confidence, evidence.yardstick.inflation);
+  auto const intervals = intervals_of(likelihood, fits, choice, levels.confidence, grounds.yardstick.inflation);
   model.diffusion = units.sqrt_rate(intervals.sigma);
   model.slopes = units.rate(intervals.tau);
   model.noise = units.size(intervals.nu);

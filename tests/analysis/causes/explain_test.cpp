@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "analysis/causes/causes.hpp"
-#include "analysis/causes/fate.hpp"
+#include "analysis/causes/remainder.hpp"
 #include "tests/analysis/simulated.hpp"
 
 namespace brouwer {
@@ -324,28 +324,28 @@ TEST(Explanation, IsOfAnyUnit) {
 
 struct Words {
   Share left;
-  Fate fate;
+  Remainder remainder;
   char const* words;
 };
 
-TEST(Fates, AreProvenByTheirIntervals) {
+TEST(Remainders, AreProvenByTheirIntervals) {
   Words const all[] = {
-      {{0.01, {-0.03, 0.04}}, Fate::gone, "vanishes (−3 … 4 %)"},
-      {{0.12, {0.09, 0.15}}, Fate::gone, "falls to 12 % (9 … 15 %)"},
-      {{1.01, {0.97, 1.04}}, Fate::there, "persists (97 … 104 %)"},
-      {{0.7, {0.62, 0.78}}, Fate::there, "shrinks to 70 % (62 … 78 %)"},
-      {{1.44, {1.38, 1.51}}, Fate::there, "grows to 144 % (138 … 151 %)"},
-      {{-0.98, {-1.03, -0.93}}, Fate::there, "turns to −98 % (−103 … −93 %)"},
-      {{0.4, {-0.2, 1.3}}, Fate::unknown, "may be gone or not (−20 … 130 %)"},
-      {{0.5, {0.45, 0.55}}, Fate::unknown, "may be gone or not (45 … 55 %)"},
-      {{1e-16, {0.9e-16, 1.1e-16}}, Fate::gone, "vanishes (0 %)"},
-      {{1.0000001, {1.00000009, 1.00000011}}, Fate::there, "persists (100 %)"},
-      {{0.3, {-INFINITY, INFINITY}}, Fate::unknown, "may be gone or not (−∞ … ∞ %)"},
-      {{}, Fate::unknown, "may be gone or not (– … – %)"},
+      {{0.01, {-0.03, 0.04}}, Remainder::gone, "vanishes (−3 … 4 %)"},
+      {{0.12, {0.09, 0.15}}, Remainder::gone, "falls to 12 % (9 … 15 %)"},
+      {{1.01, {0.97, 1.04}}, Remainder::there, "persists (97 … 104 %)"},
+      {{0.7, {0.62, 0.78}}, Remainder::there, "shrinks to 70 % (62 … 78 %)"},
+      {{1.44, {1.38, 1.51}}, Remainder::there, "grows to 144 % (138 … 151 %)"},
+      {{-0.98, {-1.03, -0.93}}, Remainder::there, "turns to −98 % (−103 … −93 %)"},
+      {{0.4, {-0.2, 1.3}}, Remainder::unknown, "may be gone or not (−20 … 130 %)"},
+      {{0.5, {0.45, 0.55}}, Remainder::unknown, "may be gone or not (45 … 55 %)"},
+      {{1e-16, {0.9e-16, 1.1e-16}}, Remainder::gone, "vanishes (0 %)"},
+      {{1.0000001, {1.00000009, 1.00000011}}, Remainder::there, "persists (100 %)"},
+      {{0.3, {-INFINITY, INFINITY}}, Remainder::unknown, "may be gone or not (−∞ … ∞ %)"},
+      {{}, Remainder::unknown, "may be gone or not (– … – %)"},
   };
-  for (auto const& [left, fate, words] : all) {
+  for (auto const& [left, remainder, words] : all) {
     EXPECT_EQ(in_words(left), words);
-    EXPECT_EQ(fate_of(left), fate) << words;
+    EXPECT_EQ(remainder_of(left), remainder) << words;
   }
 }
 

@@ -1,4 +1,4 @@
-#include "analysis/causes/fate.hpp"
+#include "analysis/causes/remainder.hpp"
 
 #include <fmt/format.h>
 
@@ -62,9 +62,9 @@ std::string hundredfold(double share, int digits) {
 
 }  // namespace
 
-Fate fate_of(Share const& left) {
-  if (is_gone(left.interval)) return Fate::gone;
-  return is_there(left.interval) ? Fate::there : Fate::unknown;
+Remainder remainder_of(Share const& left) {
+  if (is_gone(left.interval)) return Remainder::gone;
+  return is_there(left.interval) ? Remainder::there : Remainder::unknown;
 }
 
 std::string percent_range(Interval const& interval) {
